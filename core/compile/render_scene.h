@@ -1,0 +1,110 @@
+#pragma once
+// compile(): an editable Scene becomes an immutable RenderScene in render space, shared by threads.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/film/film.h"
+#include "core/scene/change.h"
+#include "core/scene/scene.h"
+
+namespace lightbench {
+
+/// Which build of the kernel traces: Auto = the widest float kernel this processor runs.
+enum class KernelKind { Auto, Avx512, Avx2, Scalar, Reference };
+const char* kernel_name(KernelKind kind);
+/// The float kernel that Auto means on this processor.
+KernelKind best_kernel();
+/// False for kernels whose instruction set this processor lacks. Auto is always supported.
+bool kernel_supported(KernelKind kind);
+
+/// A rectangle of film pixels and a range of sample indices. `stride` d > 1 renders the quick look:
+/// film pixel (x, y) covers d x d pixels of the picture.
+struct Work {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  std::uint32_t first_sample = 0;
+  std::uint32_t sample_count = 1;
+  int stride = 1;
+};
+
+/// What tracing counted; add up over threads.
+struct Counters {
+  std::uint64_t paths = 0;
+  std::uint64_t rays = 0;         ///< path segments
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t non_finite = 0;   ///< samples dropped: NaN, infinite, or beyond the film's range
+  int bad_x = -1, bad_y = -1;     ///< picture pixel and sample index of the first one, to replay it
+  std::uint32_t bad_sample = 0;
+  Counters& operator+=(const Counters& other);
+};
+
+/// One line of `lightbench info`: a feature the kernel has and whether this scene uses it.
+struct Feature {
+  std::string name;
+  bool used = false;
+  std::string note;
+};
+
+struct RenderStats {
+  std::int64_t objects = 0;
+  std::int64_t primitives = 0;      ///< analytic shapes plus instanced triangles
+  std::int64_t triangles = 0;       ///< unique mesh triangles
+  std::int64_t lights = 0;          ///< emitters the light sampler can choose
+  std::int64_t bytes = 0;           ///< memory of the compiled scene
+  double compile_seconds = 0;
+  Change rebuilt = Change::None;    ///< what this compile rebuilt; the rest is shared with `previous`
+  std::vector<Feature> features;
+};
+
+/// Immutable; many threads may trace it at once. Opaque but for what a session or a UI needs.
+struct RenderScene {
+  int width = 0, height = 0;            ///< of the whole picture
+  Crop crop;                            ///< window that the film holds; full picture if none asked
+  double film_unit = 1;                 ///< radiance, see film.h
+  KernelKind kernel = KernelKind::Scalar;  ///< never Auto
+  RenderStats stats;
+  struct Parts;                         ///< arrays in render space (core/compile/parts.h)
+  std::shared_ptr<const Parts> parts;
+};
+
+/// `previous` (may be null) is the result for the scene before `change`; everything that the change
+/// does not touch is shared with it. `scene` must have passed validate().
+std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel,
+                                           const RenderScene* previous = nullptr,
+                                           Change change = Change::All);
+
+/// Adds the samples of `work` to `film` (the film of the crop window, divided by work.stride).
+/// A sample is a pure function of (scene, pixel, sample index).
+void render(const RenderScene& scene, const Work& work, FilmView film, Counters& counters);
+
+/// A ray in scene units; `direction` need not be unit, distances are in its lengths.
+struct Ray {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0, 0, -1};
+  double t_max = 1e300;
+  double time = 0;
+};
+
+struct Hit {
+  int object = kNone;           ///< index into Scene::objects
+  double t = 0;
+  glm::dvec3 position{0};       ///< scene units, on the surface
+  glm::dvec3 geometric_normal{0};  ///< unit, outward (the shape's front)
+  glm::dvec3 shading_normal{0};
+  double u = 0, v = 0;
+  bool front = false;
+};
+
+/// Closest surface (invisible medium boundaries are not surfaces).
+std::optional<Hit> trace(const RenderScene& scene, const Ray& ray);
+/// True if any surface lies within (0, ray.t_max).
+bool occluded(const RenderScene& scene, const Ray& ray);
+
+/// The ray through point (x, y) of the picture in pixels, through the centre of the lens, mid shutter.
+Ray camera_ray(const Scene& scene, double x, double y);
+
+}  // namespace lightbench

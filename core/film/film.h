@@ -1,0 +1,54 @@
+#pragma once
+// The accumulation buffer. Sums are 64-bit fixed point, so they do not depend on the order of lanes,
+// tiles or threads: the same samples give the same bits. 32 bytes per pixel.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/film/frame.h"
+
+namespace lightbench {
+
+/// Sums over samples of red, green, blue and squared luminance, each a multiple of its film unit.
+struct FilmPixel {
+  std::int64_t r = 0, g = 0, b = 0, luminance_squared = 0;
+};
+
+/// One radiance unit of the film is 2^kFilmBits steps. compile() picks `unit` (radiance, a power of
+/// two, near the brightest emission) so that the step is 2^-30 of it: at 1e6 spp a pixel may average
+/// 8000 units before the sum could overflow. A sample is accepted up to kFilmSampleLimit units.
+inline constexpr int kFilmBits = 30;
+inline constexpr int kFilmSquareBits = 24;
+inline constexpr float kFilmSampleLimit = 524288.0F;  // 2^19: 2^49 steps, and 2^62 squared steps
+
+/// What a kernel writes to; pixel (x, y) of the film is pixels[y * width + x].
+struct FilmView {
+  FilmPixel* pixels = nullptr;
+  int width = 0;
+};
+
+/// Not thread-safe as a whole; different pixels may be written by different threads.
+class Film {
+ public:
+  Film() = default;
+  /// Throws Error{Usage} if the size is not positive or too large to hold.
+  Film(int width, int height, double unit);
+  void clear();
+  [[nodiscard]] FilmView view() { return {pixels_.data(), width_}; }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] const std::vector<FilmPixel>& pixels() const { return pixels_; }
+  /// Means over `spp` samples; `variance`, if given, receives the per-pixel sample variance.
+  [[nodiscard]] Image mean(std::uint32_t spp, std::vector<float>* variance = nullptr) const;
+  /// FNV-1a over the raw sums: equal films, equal hashes.
+  [[nodiscard]] std::uint64_t hash() const;
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  double unit_ = 1;
+  std::vector<FilmPixel> pixels_;
+};
+
+}  // namespace lightbench
