@@ -1,0 +1,83 @@
+#include "core/film/film.h"
+
+#include <algorithm>
+#include <new>
+#include <string>
+
+#include "core/error.h"
+
+namespace lightbench {
+namespace {
+
+// 4 GiB of film; anything larger is a typing error rather than a picture.
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
+
+constexpr double kStep = 1.0 / static_cast<double>(std::int64_t{1} << kFilmBits);
+constexpr double kSquareStep = 1.0 / static_cast<double>(std::int64_t{1} << kFilmSquareBits);
+
+// Rec. 709, as in the kernel that sums squared luminance.
+double luminance(const FilmPixel& sum) {
+  return 0.2126 * static_cast<double>(sum.r) + 0.7152 * static_cast<double>(sum.g) +
+         0.0722 * static_cast<double>(sum.b);
+}
+
+}  // namespace
+
+Film::Film(int width, int height, double unit) : width_(width), height_(height), unit_(unit) {
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  if (width <= 0 || height <= 0) {
+    throw Error(ErrorKind::Usage, "resolution " + size + ": expected a width and height above 0");
+  }
+  const std::int64_t count = std::int64_t{width} * height;
+  if (count > kMaxPixels) {
+    throw Error(ErrorKind::Usage, "resolution " + size + ": expected at most " +
+                                      std::to_string(kMaxPixels) + " pixels");
+  }
+  try {
+    pixels_.resize(static_cast<std::size_t>(count));
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::Usage, "resolution " + size + ": not enough memory for the film");
+  }
+}
+
+void Film::clear() { std::fill(pixels_.begin(), pixels_.end(), FilmPixel{}); }
+
+Image Film::mean(std::uint32_t spp, std::vector<float>* variance) const {
+  Image image{width_, height_, std::vector<float>(3 * pixels_.size())};
+  if (variance) variance->assign(pixels_.size(), 0.0F);
+  if (spp == 0) return image;
+  const double n = spp;
+  const double scale = unit_ * kStep / n;
+  float* out = image.rgb.data();
+  for (const FilmPixel& sum : pixels_) {
+    *out++ = static_cast<float>(scale * static_cast<double>(sum.r));
+    *out++ = static_cast<float>(scale * static_cast<double>(sum.g));
+    *out++ = static_cast<float>(scale * static_cast<double>(sum.b));
+  }
+  if (variance && spp > 1) {
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const double first = kStep * luminance(pixels_[i]);  // in units, as is the next
+      const double second = kSquareStep * static_cast<double>(pixels_[i].luminance_squared);
+      const double unbiased = (second - first * first / n) / (n - 1);
+      (*variance)[i] = static_cast<float>(unit_ * unit_ * std::max(0.0, unbiased));
+    }
+  }
+  return image;
+}
+
+std::uint64_t Film::hash() const {
+  std::uint64_t h = 0xcbf29ce484222325U;
+  const auto mix = [&h](std::int64_t value) {
+    auto bits = static_cast<std::uint64_t>(value);
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8) h = (h ^ (bits & 0xffU)) * 0x100000001b3U;
+  };
+  for (const FilmPixel& sum : pixels_) {
+    mix(sum.r);
+    mix(sum.g);
+    mix(sum.b);
+    mix(sum.luminance_squared);
+  }
+  return h;
+}
+
+}  // namespace lightbench
