@@ -38,6 +38,7 @@ class Film {
   [[nodiscard]] FilmView view() { return {pixels_.data(), width_}; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] const std::vector<FilmPixel>& pixels() const { return pixels_; }
   /// Means over `spp` samples; `variance`, if given, receives the per-pixel sample variance.
   [[nodiscard]] Image mean(std::uint32_t spp, std::vector<float>* variance = nullptr) const;

@@ -56,7 +56,9 @@ std::optional<Pass> next_pass(const Progress& p, const std::vector<int>& stops) 
   for (const int stop : stops) {
     if (stop > spp) end = std::min<std::int64_t>(end, stop);
   }
+  // In a window a pass also ends when a new picture is due.
   double longest = kPassSeconds;
+  if (p.interactive) longest = std::clamp(publish_interval(true, p.seconds), 0.1, kPassSeconds);
   if (p.time_limit > 0 && spp > 0) {
     const double left = p.time_limit - p.seconds;
     if (left <= 0) return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
-// Background rendering of the newest scene. One owner thread calls the methods; none of them waits for
-// the renderer. A coordinator thread compiles and schedules, workers trace, whole passes are published.
+// Background rendering of the newest scene. One owner thread calls the methods; none of them waits
+// for the renderer. A coordinator thread compiles and schedules, workers trace, whole passes are
+// published.
 
 #include <cstdint>
 #include <memory>
@@ -35,7 +36,7 @@ struct SessionStatus {
   RenderStats scene;
   std::uint64_t film_bytes = 0;
   int threads = 0;
-  std::string error;              ///< one line, when Failed
+  std::string error;  ///< one line, when Failed
 };
 
 class Session {
