@@ -1,6 +1,7 @@
 #pragma once
-// Image files by extension. PNG and PPM are display-referred (exposure, tone map, sRGB); EXR, HDR and
-// PFM hold linear radiance. Files are written to a temporary name in the same folder, then renamed.
+// Image files by extension. PNG and PPM are display-referred (exposure, tone map, sRGB); EXR, HDR
+// and PFM hold linear radiance. Files are written to a temporary name in the same folder, then
+// renamed.
 
 #include <filesystem>
 #include <map>

@@ -9,17 +9,17 @@ namespace lightbench {
 
 enum class Change : std::uint32_t {
   None = 0,
-  Display = 1 << 0,      ///< exposure, tone map, names: no pixel of the render changes
-  Target = 1 << 1,       ///< spp, time limit, snapshots: the render continues
-  Settings = 1 << 2,     ///< depth, seed, filter
-  Resolution = 1 << 3,   ///< width, height, crop
+  Display = 1 << 0,     ///< exposure, tone map, names: no pixel of the render changes
+  Target = 1 << 1,      ///< spp, time limit, snapshots: the render continues
+  Settings = 1 << 2,    ///< depth, seed, filter
+  Resolution = 1 << 3,  ///< width, height, crop
   Camera = 1 << 4,
   Environment = 1 << 5,
-  Materials = 1 << 6,    ///< material or medium values, which object uses which, emission
+  Materials = 1 << 6,  ///< material or medium values, which object uses which, emission
   Textures = 1 << 7,
-  Transforms = 1 << 8,   ///< object transforms
-  Geometry = 1 << 9,     ///< shapes, visibility, number of objects
-  Meshes = 1 << 10,      ///< mesh payloads
+  Transforms = 1 << 8,  ///< object transforms
+  Geometry = 1 << 9,    ///< shapes, visibility, number of objects
+  Meshes = 1 << 10,     ///< mesh payloads
   All = (1 << 11) - 1,
 };
 constexpr Change operator|(Change a, Change b) {

@@ -1,7 +1,8 @@
 #pragma once
 // The editable scene: plain values with defaults, indices for references (kNone = none).
-// The UI edits a Scene, files store one, undo is a list of them. Rendering never reads it: compile()
-// turns it into an immutable RenderScene. Copying is cheap because meshes and images are shared.
+// The UI edits a Scene, files store one, undo is a list of them. Rendering never reads it:
+// compile() turns it into an immutable RenderScene. Copying is cheap because meshes and images are
+// shared.
 //
 // Conventions: right-handed, y up unless the camera says otherwise; angles in degrees; lengths in
 // scene units (1 unit = 1 m when a physical camera is described); colours linear Rec. 709.
@@ -25,7 +26,8 @@ namespace lightbench {
 
 inline constexpr int kNone = -1;
 
-// ---- shapes, in object space ---------------------------------------------------------------------
+// ---- shapes, in object space
+// ---------------------------------------------------------------------
 
 /// Centre at time t (shutter units, 0..1) is center + t * motion.
 struct SphereShape {
@@ -89,7 +91,8 @@ struct MeshShape {
 using Shape = std::variant<SphereShape, CylinderShape, DiscShape, RectangleShape, TriangleShape,
                            PyramidShape, BoxShape, MeshShape>;
 
-/// A mesh is inline (`file` empty) or loaded from `file` (relative to the scene file).
+/// A mesh is inline (`file` empty) or loaded from `file`. All file names here are as the process
+/// would open them (absolute once loaded); scene files hold them relative to themselves.
 struct MeshAsset {
   std::string name;
   std::string file;
@@ -97,7 +100,8 @@ struct MeshAsset {
   bool operator==(const MeshAsset&) const = default;  // payload compared by pointer: cheap, exact
 };
 
-// ---- appearance ----------------------------------------------------------------------------------
+// ---- appearance
+// ----------------------------------------------------------------------------------
 
 enum class TextureKind { Constant, Image, Checker, Noise, Turbulence, Marble };
 enum class WrapMode { Repeat, Clamp, Mirror };
@@ -106,15 +110,15 @@ enum class WrapMode { Repeat, Clamp, Mirror };
 struct Texture {
   std::string name;
   TextureKind kind = TextureKind::Constant;
-  glm::dvec3 color_a{0.9};     ///< constant; checker even; noise low
-  glm::dvec3 color_b{0.1};     ///< checker odd; noise, turbulence and marble high
-  double scale = 1;            ///< checker: cells per unit (3-D) or per uv; noise: frequency
-  bool use_uv = false;         ///< checker: in uv instead of object space
-  int octaves = 7;             ///< turbulence and marble, 1..16
-  std::uint32_t seed = 0;      ///< noise lattice
+  glm::dvec3 color_a{0.9};  ///< constant; checker even; noise low
+  glm::dvec3 color_b{0.1};  ///< checker odd; noise, turbulence and marble high
+  double scale = 1;         ///< checker: cells per unit (3-D) or per uv; noise: frequency
+  bool use_uv = false;      ///< checker: in uv instead of object space
+  int octaves = 7;          ///< turbulence and marble, 1..16
+  std::uint32_t seed = 0;   ///< noise lattice
   WrapMode wrap = WrapMode::Repeat;
-  std::string file;            ///< image, relative to the scene file
-  bool srgb = true;            ///< image: 8-bit values are sRGB encoded and decoded to linear
+  std::string file;  ///< image
+  bool srgb = true;  ///< image: 8-bit values are sRGB encoded and decoded to linear
   std::shared_ptr<const Image> image;
   bool operator==(const Texture&) const = default;
 };
@@ -125,34 +129,35 @@ enum class MaterialKind { Lambertian, Metal, Dielectric, Emissive };
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::Lambertian;
-  glm::dvec3 base_color{0.8};         ///< albedo, specular reflectance or transmission tint, [0,1]
-  int base_color_texture = kNone;     ///< multiplies base_color
-  double fuzz = 0;                    ///< metal: the books' fuzz, [0,1]; exclusive with roughness
-  double roughness = 0;               ///< metal: glTF roughness, GGX alpha = roughness^2, [0,1]
-  double ior = 1.5;                   ///< dielectric, inside over outside, > 0
-  glm::dvec3 emissive{0};             ///< emitted radiance = emissive * emissive_strength * texture
+  glm::dvec3 base_color{0.8};      ///< albedo, specular reflectance or transmission tint, [0,1]
+  int base_color_texture = kNone;  ///< multiplies base_color
+  double fuzz = 0;                 ///< metal: the books' fuzz, [0,1]; exclusive with roughness
+  double roughness = 0;            ///< metal: glTF roughness, GGX alpha = roughness^2, [0,1]
+  double ior = 1.5;                ///< dielectric, inside over outside, > 0
+  glm::dvec3 emissive{0};          ///< emitted radiance = emissive * emissive_strength * texture
   double emissive_strength = 1;
   int emissive_texture = kNone;
-  bool two_sided = false;             ///< emits from its back too
+  bool two_sided = false;  ///< emits from its back too
   bool operator==(const Material&) const = default;
 };
 
 /// Homogeneous participating medium with an isotropic phase function.
 struct Medium {
   std::string name;
-  double density = 1;          ///< extinction, 1 / scene unit, > 0
-  glm::dvec3 albedo{1};        ///< single-scattering albedo, [0,1]
+  double density = 1;    ///< extinction, 1 / scene unit, > 0
+  glm::dvec3 albedo{1};  ///< single-scattering albedo, [0,1]
   bool operator==(const Medium&) const = default;
 };
 
-// ---- objects -------------------------------------------------------------------------------------
+// ---- objects
+// -------------------------------------------------------------------------------------
 
 /// Object to world: scale, then rotate about `axis` through the object's origin, then translate.
 struct Transform {
   glm::dvec3 translation{0};
-  glm::dvec3 axis{0, 1, 0};    ///< need not be unit, not zero
-  double degrees = 0;          ///< right-handed
-  glm::dvec3 scale{1};         ///< no component zero
+  glm::dvec3 axis{0, 1, 0};  ///< need not be unit, not zero
+  double degrees = 0;        ///< right-handed
+  glm::dvec3 scale{1};       ///< no component zero
   bool operator==(const Transform&) const = default;
 };
 
@@ -168,17 +173,18 @@ struct Object {
   bool operator==(const Object&) const = default;
 };
 
-// ---- camera, environment, settings ---------------------------------------------------------------
+// ---- camera, environment, settings
+// ---------------------------------------------------------------
 
 struct Camera {
   glm::dvec3 look_from{0, 1, 5};
   glm::dvec3 look_at{0};
   glm::dvec3 up{0, 1, 0};
-  double vfov = 40;              ///< degrees, (0, 180)
-  double sensor_height = 24;     ///< mm; with vfov it gives the focal length
-  double lens_radius = 0;        ///< scene units; 0 = pinhole
-  double focus_distance = 10;    ///< scene units along the view axis, > 0
-  double shutter_open = 0;       ///< times at which `motion` is evaluated, open <= close
+  double vfov = 40;            ///< degrees, (0, 180)
+  double sensor_height = 24;   ///< mm; with vfov it gives the focal length
+  double lens_radius = 0;      ///< scene units; 0 = pinhole
+  double focus_distance = 10;  ///< scene units along the view axis, > 0
+  double shutter_open = 0;     ///< times at which `motion` is evaluated, open <= close
   double shutter_close = 1;
   bool operator==(const Camera&) const = default;
 };
@@ -195,11 +201,11 @@ enum class EnvironmentKind { Constant, Gradient, Image };
 /// Radiance that arrives from outside the scene.
 struct Environment {
   EnvironmentKind kind = EnvironmentKind::Constant;
-  glm::dvec3 color{0};           ///< constant; gradient at the zenith; multiplies the image
-  glm::dvec3 horizon{1};         ///< gradient at the nadir: the books' lerp over y in [-1,1]
+  glm::dvec3 color{0};    ///< constant; gradient at the zenith; multiplies the image
+  glm::dvec3 horizon{1};  ///< gradient at the nadir: the books' lerp over y in [-1,1]
   double strength = 1;
-  double rotation = 0;           ///< degrees about +y, image only
-  std::string file;              ///< equirectangular image
+  double rotation = 0;  ///< degrees about +y, image only
+  std::string file;     ///< equirectangular image
   std::shared_ptr<const Image> image;
   bool operator==(const Environment&) const = default;
 };
@@ -216,13 +222,13 @@ struct RenderSettings {
   int width = 600;
   int height = 600;
   Crop crop;
-  int spp = 1000;                          ///< target; 0 = no limit
-  double time_limit = 0;                   ///< seconds; 0 = no limit
-  int max_depth = 50;                      ///< path segments from the camera, >= 1
-  int roulette_depth = 4;                  ///< bounces before Russian roulette starts
+  int spp = 1000;          ///< target; 0 = no limit
+  double time_limit = 0;   ///< seconds; 0 = no limit
+  int max_depth = 50;      ///< path segments from the camera, >= 1
+  int roulette_depth = 4;  ///< bounces before Russian roulette starts
   std::uint32_t seed = 0;
   FilterKind filter = FilterKind::Box;
-  double filter_radius = 0.5;              ///< pixels; half the width
+  double filter_radius = 0.5;  ///< pixels; half the width
   std::vector<int> snapshots{10, 200, 1000};
   bool operator==(const RenderSettings&) const = default;
 };
@@ -231,8 +237,8 @@ enum class ToneMap { Srgb, Reinhard, Aces };
 
 /// How linear radiance becomes display values; never restarts a render.
 struct Display {
-  double exposure = 0;                     ///< stops
-  ToneMap tone_map = ToneMap::Srgb;        ///< Srgb = clip, then the sRGB curve
+  double exposure = 0;               ///< stops
+  ToneMap tone_map = ToneMap::Srgb;  ///< Srgb = clip, then the sRGB curve
   bool operator==(const Display&) const = default;
 };
 
