@@ -56,7 +56,7 @@ def moved(x, y, z, axis=(0, 1, 0), degrees=0, scale=1):
     return transform
 
 
-def studio(objects, materials=(), sky=0.35, key=9.0, camera=None, **lists):
+def studio(objects, materials=(), sky=0.75, key=14.0, camera=None, **lists):
     """A scene with the floor, the lamp (radiance `key`, 0 = none) and the sky (0 = night)."""
     scene = {
         "camera": {"lookFrom": [0, 2.6, 7.5], "lookAt": [0, 0.8, 0], "vfov": 30} | (camera or {}),
@@ -317,8 +317,8 @@ def emissive_textured():
          "scale": 8, "useUv": True},
     ]
     materials = [
-        lamp("globe", [1, 1, 1], 5, emissiveTexture="earth"),
-        lamp("windows", [1, 1, 1], 4, emissiveTexture="windows"),
+        lamp("globe", [1, 1, 1], 9, emissiveTexture="earth"),
+        lamp("windows", [1, 1, 1], 6, emissiveTexture="windows"),
     ]
     return studio([
         sphere("globe", [0.85, 1.0, 0.2], 0.8, "globe"),
@@ -335,7 +335,7 @@ def many_lights():
         for j in range(10):
             name = f"bulb {10 * i + j + 1}"
             hue = list(colorsys.hsv_to_rgb(0.1 * i + 0.02 * j, 0.75, 1))
-            materials.append(lamp(name, hue, 14))
+            materials.append(lamp(name, hue, 25))
             objects.append(sphere(name, [-3.6 + 0.8 * i + 0.3 * draw(), 0.1 + 0.9 * draw() ** 2,
                                          2.2 - 0.8 * j + 0.3 * draw()], 0.05, name))
     objects += [sphere("ball", [-1.1, 0.6, -0.2], 0.6, "cream"), sphere("mirror", [0.9, 0.75, -0.8], 0.75, "mirror"),
@@ -361,7 +361,7 @@ def shape_lights():
     materials, objects = [], []
     for i, (name, shape) in enumerate(shapes):
         x, y = -1.65 + 1.1 * (i % 4), 1.95 if i < 4 else 0.75
-        materials.append(lamp(name, list(colorsys.hsv_to_rgb(hues[i], 0.6, 1)), 5, twoSided=name in ("disc", "rectangle", "triangle")))
+        materials.append(lamp(name, list(colorsys.hsv_to_rgb(hues[i], 0.7, 1)), 3, twoSided=name in ("disc", "rectangle", "triangle")))
         turn = moved(x, y, 0.35, (0.3, 1, 0), 25, 0.3 if name == "mesh" else 1)
         objects.append({"name": name} | shape | {"transform": turn, "material": name})
     objects += [
