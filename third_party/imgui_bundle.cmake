@@ -1,29 +1,27 @@
-# Sets imgui_bundle_SOURCE_DIR to the unpacked PyPI source package, downloading it if needed. pip
-# verifies the hash; the archive is kept in the user's cache so that other clones need no network.
-set(bundle_version 1.93.0)
-set(bundle_sha256 10ad1dab8258a6787b4f07bb926b08d0efc648a7906242568c8dd778c5e719bf)
-
+# Sets imgui_bundle_SOURCE_DIR to the unpacked PyPI source package imgui_bundle_version, downloading
+# it if needed. pip verifies imgui_bundle_sha256; the archive is kept in the cache of the user so
+# that other clones need no network.
 if(DEFINED ENV{XDG_CACHE_HOME})
   set(cache_root "$ENV{XDG_CACHE_HOME}")
 else()
   set(cache_root "$ENV{HOME}/.cache")
 endif()
 set(LIGHTBENCH_DOWNLOADS "${cache_root}/lightbench" CACHE PATH "Where downloaded sources are kept")
-set(bundle_archive "${LIGHTBENCH_DOWNLOADS}/imgui_bundle-${bundle_version}.tar.gz")
-set(imgui_bundle_SOURCE_DIR "${CMAKE_CURRENT_BINARY_DIR}/imgui_bundle-${bundle_version}")
-set(bundle_stamp "${imgui_bundle_SOURCE_DIR}/${bundle_sha256}")
+set(bundle_archive "${LIGHTBENCH_DOWNLOADS}/imgui_bundle-${imgui_bundle_version}.tar.gz")
+set(imgui_bundle_SOURCE_DIR "${CMAKE_CURRENT_BINARY_DIR}/imgui_bundle-${imgui_bundle_version}")
+set(bundle_stamp "${imgui_bundle_SOURCE_DIR}/${imgui_bundle_sha256}")
 
 if(NOT EXISTS "${bundle_stamp}")
   set(actual "")
   if(EXISTS "${bundle_archive}")
     file(SHA256 "${bundle_archive}" actual)
   endif()
-  if(NOT actual STREQUAL bundle_sha256)
-    message(STATUS "Downloading imgui-bundle ${bundle_version} (54 MB) to ${LIGHTBENCH_DOWNLOADS}")
+  if(NOT actual STREQUAL imgui_bundle_sha256)
+    message(STATUS "Downloading imgui-bundle ${imgui_bundle_version} (54 MB) to ${LIGHTBENCH_DOWNLOADS}")
     set(work "${CMAKE_CURRENT_BINARY_DIR}/download")
     file(REMOVE_RECURSE "${work}")
     file(WRITE "${work}/requirements.txt"
-      "imgui-bundle==${bundle_version} --hash=sha256:${bundle_sha256}\n")
+      "imgui-bundle==${imgui_bundle_version} --hash=sha256:${imgui_bundle_sha256}\n")
     # `pip download` asks the package's build backend for metadata, and the real backend would be
     # installed from the network and take a minute. We want the archive alone, so the backend that
     # pip finds is this one, which answers at once.
@@ -48,15 +46,15 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
         -r requirements.txt --dest "${work}"
       WORKING_DIRECTORY "${work}" RESULT_VARIABLE failed)
     if(failed)
-      message(FATAL_ERROR "pip could not download imgui-bundle ${bundle_version} from PyPI (see "
+      message(FATAL_ERROR "pip could not download imgui-bundle ${imgui_bundle_version} from PyPI (see "
         "above). It needs python3-pip and a network, or the archive at ${bundle_archive}.")
     endif()
     file(MAKE_DIRECTORY "${LIGHTBENCH_DOWNLOADS}")
-    file(RENAME "${work}/imgui_bundle-${bundle_version}.tar.gz" "${bundle_archive}.part")
+    file(RENAME "${work}/imgui_bundle-${imgui_bundle_version}.tar.gz" "${bundle_archive}.part")
     file(RENAME "${bundle_archive}.part" "${bundle_archive}")
     file(REMOVE_RECURSE "${work}")
   endif()
-  set(top "imgui_bundle-${bundle_version}/external")
+  set(top "imgui_bundle-${imgui_bundle_version}/external")
   file(ARCHIVE_EXTRACT INPUT "${bundle_archive}" DESTINATION "${CMAKE_CURRENT_BINARY_DIR}"
     PATTERNS
       "${top}/imgui/imgui/*" "${top}/implot/implot/*" "${top}/ImGuizmo/ImGuizmo/*"

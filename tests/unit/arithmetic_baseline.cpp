@@ -1,0 +1,2 @@
+#define ARITHMETIC_TARGET baseline
+#include "tests/unit/arithmetic_checks.inc"
