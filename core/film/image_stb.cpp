@@ -1,7 +1,7 @@
 // The formats that stb reads and writes: PNG and JPEG in, Radiance HDR in and out.
 
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
+#include <stb_image.h>
+#include <stb_image_write.h>
 
 #include <algorithm>
 #include <limits>

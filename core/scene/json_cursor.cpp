@@ -75,7 +75,7 @@ void JsonCursor::unknown_word(const std::string& word,
     if (i > 0) list += i + 1 < known.size() ? ", " : " or ";
     list += known[i];
   }
-  expected(list + did_you_mean(word, known));
+  fail("expected " + list + ", got " + describe(*value_) + did_you_mean(word, known));
 }
 
 double JsonCursor::number_in(double low, double high, const std::string& what) const {

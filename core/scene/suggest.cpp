@@ -41,7 +41,8 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   if (word.empty() || word.size() > kLongestWord) return {};
   const std::string wanted = plain(word);
   std::string_view best;
-  std::size_t best_distance = wanted.size() / 3 + 1;  // one slip in three letters, at least one
+  std::size_t best_distance =
+      std::max<std::size_t>(wanted.size() / 3, 1);  // one slip in three letters
   for (const std::string_view candidate : candidates) {
     if (candidate.empty() || candidate.size() > kLongestWord) continue;
     const std::size_t distance = edit_distance(wanted, plain(candidate));

@@ -99,15 +99,14 @@ void validate_texture(const Place& place, const Texture& texture) {
     out_of_range(place / "/file", "an image file", "none");
 }
 
-void check_reference(const Place& place, int index, std::size_t count, const char* what) {
+void check_reference(const Place& place, int index, std::size_t count) {
   if (index != kNone && (index < 0 || static_cast<std::size_t>(index) >= count))
-    out_of_range(place, fmt::format("{} of {}", what, count), std::to_string(index));
+    out_of_range(place, fmt::format("-1 or an index below {}", count), std::to_string(index));
 }
 
 void validate_material(const Place& place, const Material& material, std::size_t texture_count) {
   check_in(place / "/baseColor", material.base_color, 0, 1);
-  check_reference(place / "/baseColorTexture", material.base_color_texture, texture_count,
-                  "a texture");
+  check_reference(place / "/baseColorTexture", material.base_color_texture, texture_count);
   check_in(place / "/fuzz", material.fuzz, 0, 1);
   check_in(place / "/roughness", material.roughness, 0, 1);
   if (material.fuzz > 0 && material.roughness > 0) {
@@ -118,8 +117,7 @@ void validate_material(const Place& place, const Material& material, std::size_t
   check_in(place / "/ior", material.ior, 0.01, 100);
   check_in(place / "/emissive", material.emissive, 0, kBrightest);
   check_in(place / "/emissiveStrength", material.emissive_strength, 0, kBrightest);
-  check_reference(place / "/emissiveTexture", material.emissive_texture, texture_count,
-                  "a texture");
+  check_reference(place / "/emissiveTexture", material.emissive_texture, texture_count);
 }
 
 void validate_medium(const Place& place, const Medium& medium) {
@@ -143,8 +141,8 @@ void validate_transform(const Place& place, const Transform& transform) {
 void validate_object(const Place& place, const Object& object, const Scene& scene) {
   validate_shape(place, object.shape, scene.meshes.size());
   validate_transform(place, object.transform);
-  check_reference(place / "/material", object.material, scene.materials.size(), "a material");
-  check_reference(place / "/medium", object.medium, scene.media.size(), "a medium");
+  check_reference(place / "/material", object.material, scene.materials.size());
+  check_reference(place / "/medium", object.medium, scene.media.size());
   if (object.medium != kNone && !is_closed(object.shape)) {
     out_of_range(place / "/medium", "a closed shape (sphere, cylinder, pyramid, box or mesh)",
                  "an open one");
