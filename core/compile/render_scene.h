@@ -34,10 +34,10 @@ struct Work {
 /// What tracing counted; add up over threads.
 struct Counters {
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;         ///< path segments
+  std::uint64_t rays = 0;  ///< path segments
   std::uint64_t shadow_rays = 0;
-  std::uint64_t non_finite = 0;   ///< samples dropped: NaN, infinite, or beyond the film's range
-  int bad_x = -1, bad_y = -1;     ///< picture pixel and sample index of the first one, to replay it
+  std::uint64_t non_finite = 0;  ///< samples dropped: NaN, infinite, or beyond the film's range
+  int bad_x = -1, bad_y = -1;    ///< picture pixel and sample index of the first one, to replay it
   std::uint32_t bad_sample = 0;
   Counters& operator+=(const Counters& other);
 };
@@ -51,23 +51,23 @@ struct Feature {
 
 struct RenderStats {
   std::int64_t objects = 0;
-  std::int64_t primitives = 0;      ///< analytic shapes plus instanced triangles
-  std::int64_t triangles = 0;       ///< unique mesh triangles
-  std::int64_t lights = 0;          ///< emitters the light sampler can choose
-  std::int64_t bytes = 0;           ///< memory of the compiled scene
+  std::int64_t primitives = 0;  ///< analytic shapes plus instanced triangles
+  std::int64_t triangles = 0;   ///< unique mesh triangles
+  std::int64_t lights = 0;      ///< emitters the light sampler can choose
+  std::int64_t bytes = 0;       ///< memory of the compiled scene
   double compile_seconds = 0;
-  Change rebuilt = Change::None;    ///< what this compile rebuilt; the rest is shared with `previous`
+  Change rebuilt = Change::None;  ///< what this compile rebuilt; the rest is shared with `previous`
   std::vector<Feature> features;
 };
 
 /// Immutable; many threads may trace it at once. Opaque but for what a session or a UI needs.
 struct RenderScene {
-  int width = 0, height = 0;            ///< of the whole picture
-  Crop crop;                            ///< window that the film holds; full picture if none asked
-  double film_unit = 1;                 ///< radiance, see film.h
+  int width = 0, height = 0;  ///< of the whole picture
+  Crop crop;                  ///< window that the film holds; full picture if none asked
+  double film_unit = 1;       ///< radiance, see film.h
   KernelKind kernel = KernelKind::Scalar;  ///< never Auto
   RenderStats stats;
-  struct Parts;                         ///< arrays in render space (core/compile/parts.h)
+  struct Parts;  ///< arrays in render space (core/compile/parts.h)
   std::shared_ptr<const Parts> parts;
 };
 
@@ -90,11 +90,12 @@ struct Ray {
 };
 
 struct Hit {
-  int object = kNone;           ///< index into Scene::objects
+  int object = kNone;  ///< index into Scene::objects
   double t = 0;
-  glm::dvec3 position{0};       ///< scene units, on the surface
+  glm::dvec3 position{0};          ///< scene units, on the surface
   glm::dvec3 geometric_normal{0};  ///< unit, outward (the shape's front)
   glm::dvec3 shading_normal{0};
+  glm::dvec3 tangent{0};  ///< unit direction of growing u
   double u = 0, v = 0;
   bool front = false;
 };
@@ -104,7 +105,8 @@ std::optional<Hit> trace(const RenderScene& scene, const Ray& ray);
 /// True if any surface lies within (0, ray.t_max).
 bool occluded(const RenderScene& scene, const Ray& ray);
 
-/// The ray through point (x, y) of the picture in pixels, through the centre of the lens, mid shutter.
+/// The ray through point (x, y) of the picture in pixels, through the centre of the lens, mid
+/// shutter.
 Ray camera_ray(const Scene& scene, double x, double y);
 
 }  // namespace lightbench

@@ -1,0 +1,36 @@
+#pragma once
+// The bounding volume hierarchy as a value: built from boxes, it knows no shapes. Binned SAH on a
+// binary tree (Wald 2007), then collapsed to eight children per node by opening the largest first.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accel/bvh_node.h"
+
+namespace lightbench {
+
+/// Float box that contains a double one (rounded outward).
+struct BvhBox {
+  float lo[3];
+  float hi[3];
+};
+BvhBox outward_box(const double (&lo)[3], const double (&hi)[3]);
+
+/// What a leaf holds: single items (each tested alone), or blocks of eight tested at once.
+enum class BvhLeaf { Items, Blocks };
+
+/// `items` lists the boxes' indices in leaf order. With BvhLeaf::Blocks every leaf is one block of
+/// eight entries, padded with kPadding, and a leaf's `first` is its block number.
+struct Bvh {
+  static constexpr std::uint32_t kPadding = 0xffffffffU;
+  std::vector<BvhNode> nodes;
+  std::vector<BvhMotion> motion;  ///< empty unless boxes at the end of the shutter were given
+  std::vector<std::uint32_t> items;
+};
+
+/// Boxes at time 0 and, if anything moves, at time 1 (else empty). Fewer than 2^24 leaves; throws
+/// Error{Scene} beyond. No boxes give one node that no ray meets.
+Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf);
+
+}  // namespace lightbench

@@ -1,0 +1,57 @@
+#pragma once
+// Camera rays: pixel filter, thin lens, shutter.
+
+#include "core/sampling/sobol.h"
+#include "core/shapes/shape.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+/// Offset from the pixel's centre, in pixels, distributed as the filter: every sample then counts
+/// fully and for its own pixel only (filter importance sampling, Ernst et al. 2006).
+inline Vec2 sample_filter(const CameraView<T>& camera, Vec2 u) {
+  const Real r(camera.filter_radius);
+  switch (camera.filter) {
+    case 1: {  // triangle: the sum of two uniforms per axis, by its inverse
+      const auto tent = [](Real x) {
+        const Real low = sqrt(T(2) * x) - Real(1), high = Real(1) - sqrt(T(2) * (Real(1) - x));
+        return select(x < Real(T(0.5)), low, high);
+      };
+      return {r * tent(u.x), r * tent(u.y)};
+    }
+    case 2: {  // Gaussian of sigma = radius / 2, cut off at the radius, by its radial inverse
+      const Real covered(T(0.8646647167633873));  // 1 - exp(-2)
+      const Real radius = r * T(0.5) * sqrt(T(-2) * log(Real(1) - u.x * covered));
+      Real s, c;
+      sincos(u.y * kTwoPi, s, c);
+      return {radius * c, radius * s};
+    }
+    default:
+      return {r * (u.x * T(2) - T(1)), r * (u.y * T(2) - T(1))};
+  }
+}
+
+/// Ray through picture position (x, y) in pixels, y down. Times run from 0 to 1 over the shutter:
+/// compile() bakes opening and closing into the motion.
+inline Ray camera_ray(const CameraView<T>& camera, Real x, Real y, const Sampler& sampler) {
+  const auto vec = [](const T(&v)[3]) { return Vec{Real(v[0]), Real(v[1]), Real(v[2])}; };
+  const Real sx = x * (T(2) / static_cast<T>(camera.width)) - T(1);
+  const Real sy = Real(1) - y * (T(2) / static_cast<T>(camera.height));
+  Ray ray;
+  ray.o = vec(camera.origin);
+  ray.d = madd(vec(camera.right), sx, madd(vec(camera.up), sy, vec(camera.forward)));
+  if (camera.lens_radius > T(0)) {
+    const Vec2 lens = square_to_disk(sampler.pair(Int(dimension::kLens)));
+    // right and up are as long as half the picture at distance 1; the lens wants them unit.
+    const Vec offset = normalize(vec(camera.right)) * (lens.x * camera.lens_radius) +
+                       normalize(vec(camera.up)) * (lens.y * camera.lens_radius);
+    ray.d = ray.d * Real(camera.focus_distance) - offset;
+    ray.o = ray.o + offset;
+  }
+  ray.d = normalize(ray.d);
+  ray.time = camera.moving ? sampler.pair(Int(dimension::kTime)).x : Real(0);
+  ray.from = ray.from_slot = ray.skip = ray.skip_slot = Int(kNoHit);
+  ray.inside = ray.skip_back = false;
+  return ray;
+}
+
+LIGHTBENCH_KERNEL_END

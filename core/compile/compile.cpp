@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/compile/compile_geometry.h"
+#include "core/compile/compile_shading.h"
+#include "core/compile/feature_list.h"
+#include "core/compile/parts.h"
+#include "core/kernel/targets.h"
+
+namespace lightbench {
+namespace {
+
+constexpr Change kGeometryChanges = Change::Transforms | Change::Geometry | Change::Meshes;
+
+/// True if the geometry compiled before still describes the scene after `change`.
+template <class T>
+bool geometry_stands(const GeometryPart<T>& g, const Scene& scene, Change change) {
+  return !any(change & kGeometryChanges) && g.shutter_open == scene.camera.shutter_open &&
+         g.shutter_close == scene.camera.shutter_close && g.role == object_roles(scene);
+}
+
+/// Largest radiance that anything in the scene emits.
+double brightest(const Environment& e, double material) {
+  double m = material;
+  if (e.kind == EnvironmentKind::Image && e.image != nullptr) {
+    for (std::size_t i = 0; i < e.image->rgb.size(); ++i) {
+      m = std::max(
+          m, static_cast<double>(e.image->rgb[i]) * e.color[static_cast<int>(i % 3)] * e.strength);
+    }
+    return m;
+  }
+  for (int k = 0; k < 3; ++k) {
+    m = std::max(m, e.color[k] * e.strength);
+    if (e.kind == EnvironmentKind::Gradient) m = std::max(m, e.horizon[k] * e.strength);
+  }
+  return m;
+}
+
+bool used_by_surface(const Scene& scene, const std::vector<std::uint8_t>& roles, auto predicate) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if ((roles[i] & 1) == 0) continue;
+    if (predicate(scene.materials[static_cast<std::size_t>(scene.objects[i].material)]))
+      return true;
+  }
+  return false;
+}
+
+/// Points the view at the parts and sets the flags of what the scene uses.
+template <class T>
+void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelParts<T>& p) {
+  SceneView<T>& v = p.view;
+  const GeometryPart<T>& g = *p.geometry;
+  v = {};
+  v.surface_count = g.surface_count;
+  v.surface_kinds = g.surface_kinds;
+  v.kind = g.kind.data();
+  v.row = g.row.data();
+  v.rows = g.rows.data();
+  v.offset = g.offset.data();
+  v.meshes = g.mesh_views.data();
+  if (!g.tree.nodes.empty()) {
+    v.nodes = g.tree.nodes.data();
+    v.motion = g.tree.motion.empty() ? nullptr : g.tree.motion.data();
+    v.leaves = g.tree.items.data();
+  }
+  v.material = p.materials->of_primitive.data();
+  v.materials = p.materials->rows.data();
+  v.medium_count = static_cast<std::uint32_t>(p.materials->media.size());
+  v.media = p.materials->media.data();
+  v.textures = p.textures->rows.data();
+  v.images = p.textures->images.data();
+  v.first_light = p.lights->first_of_primitive.data();
+  v.light_count = static_cast<std::uint32_t>(p.lights->primitive.size());
+  v.light_kinds = p.lights->kinds;
+  v.light_primitive = p.lights->primitive.data();
+  v.light_slot = p.lights->slot.data();
+  v.light_pmf = p.lights->pmf.data();
+  v.alias_threshold = p.lights->alias_threshold.data();
+  v.alias_other = p.lights->alias_other.data();
+  v.camera = compile_camera(scene, g, crop);
+  v.environment = compile_environment<T>(scene.environment);
+  v.max_depth = scene.render.max_depth;
+  v.roulette_depth = scene.render.roulette_depth;
+  v.seed = scene.render.seed;
+  v.inverse_film_unit = static_cast<T>(1 / film_unit);
+
+  const auto uses = [&](auto predicate) { return used_by_surface(scene, g.role, predicate); };
+  const auto metal = [](const Material& m) { return m.kind == MaterialKind::Metal; };
+  v.has_lambertian = uses([](const Material& m) { return m.kind == MaterialKind::Lambertian; });
+  v.has_dielectric = uses([](const Material& m) { return m.kind == MaterialKind::Dielectric; });
+  v.has_fuzz = uses([&](const Material& m) { return metal(m) && m.fuzz > 0; });
+  v.has_ggx = uses([&](const Material& m) { return metal(m) && m.fuzz <= 0 && m.roughness > 0; });
+  v.has_mirror =
+      uses([&](const Material& m) { return metal(m) && m.fuzz <= 0 && m.roughness <= 0; });
+  v.has_emission = uses([](const Material& m) { return emits(m); });
+  v.has_textures = uses([](const Material& m) { return m.base_color_texture != kNone; });
+  v.has_emission_textures =
+      uses([](const Material& m) { return emits(m) && m.emissive_texture != kNone; });
+  const auto textured_by = [&](auto predicate) {
+    return uses([&](const Material& m) {
+      const auto test = [&](int t) {
+        return t != kNone && predicate(scene.textures[static_cast<std::size_t>(t)]);
+      };
+      return test(m.base_color_texture) || (emits(m) && test(m.emissive_texture));
+    });
+  };
+  v.needs_uv = textured_by([](const Texture& t) {
+    return t.kind == TextureKind::Image || (t.kind == TextureKind::Checker && t.use_uv);
+  });
+  const bool solid = textured_by([](const Texture& t) {
+    return t.kind != TextureKind::Image && t.kind != TextureKind::Constant &&
+           !(t.kind == TextureKind::Checker && t.use_uv);
+  });
+  v.to_object = solid ? g.to_object.data() : nullptr;
+  v.has_environment = brightest(scene.environment, 0) > 0;
+}
+
+template <class T>
+std::int64_t bytes_of(const std::vector<T>& v) {
+  return static_cast<std::int64_t>(v.size() * sizeof(T));
+}
+
+template <class T>
+void fill_stats(const Scene& scene, const KernelParts<T>& p, RenderStats& s) {
+  const GeometryPart<T>& g = *p.geometry;
+  s.objects = static_cast<std::int64_t>(
+      std::count_if(g.role.begin(), g.role.end(), [](auto r) { return r != 0; }));
+  for (std::uint32_t i = 0; i < g.kind.size(); ++i) {
+    const auto* m =
+        std::get_if<MeshShape>(&scene.objects[static_cast<std::size_t>(g.object[i])].shape);
+    s.primitives +=
+        m == nullptr ? 1
+                     : static_cast<std::int64_t>(
+                           scene.meshes[static_cast<std::size_t>(m->mesh)].data->triangles.size());
+  }
+  for (const auto& m : g.meshes) {
+    if (m == nullptr) continue;
+    s.triangles += static_cast<std::int64_t>(m->source->triangles.size());
+    s.bytes += bytes_of(m->nodes) + bytes_of(m->blocks) + bytes_of(m->normals) + bytes_of(m->uvs) +
+               bytes_of(m->slot_triangle);
+  }
+  s.lights =
+      std::count_if(p.lights->pmf.begin(), p.lights->pmf.end(), [](T x) { return x > T(0); });
+  s.bytes += bytes_of(g.kind) + bytes_of(g.row) + bytes_of(g.rows) + bytes_of(g.offset) +
+             bytes_of(g.to_object) + bytes_of(g.object) + bytes_of(g.area) +
+             bytes_of(g.tree.nodes) + bytes_of(g.tree.motion) + bytes_of(g.tree.items) +
+             bytes_of(p.materials->rows) + bytes_of(p.lights->pmf) * 4 + bytes_of(p.textures->rows);
+  for (const auto& image : p.textures->keep) {
+    if (image != nullptr) s.bytes += bytes_of(image->rgb);
+  }
+  if (p.environment != nullptr) s.bytes += bytes_of(p.environment->rgb);
+  s.features = feature_list(p.view);
+}
+
+template <class T>
+std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind kernel,
+                                               const RenderScene* previous, Change change) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = std::make_shared<RenderScene>();
+  auto parts = std::make_shared<RenderScene::Parts>();
+  KernelParts<T> p;
+  const KernelParts<T>* old = nullptr;
+  if (previous != nullptr && previous->parts != nullptr)
+    old = std::get_if<KernelParts<T>>(&previous->parts->kernel);
+  if (old == nullptr) change = Change::All;
+
+  Change& rebuilt = result->stats.rebuilt;
+  const bool keep_geometry = old != nullptr && geometry_stands(*old->geometry, scene, change);
+  if (keep_geometry) {
+    p.geometry = old->geometry;
+  } else {
+    p.geometry = compile_geometry<T>(scene, old != nullptr ? old->geometry.get() : nullptr);
+    rebuilt |= Change::Geometry;
+  }
+  if (keep_geometry && !any(change & Change::Materials)) {
+    p.materials = old->materials;
+    p.lights = old->lights;
+  } else {
+    p.materials = compile_materials(scene, *p.geometry);
+    p.lights = compile_lights(scene, *p.geometry);
+    rebuilt |= Change::Materials;
+  }
+  if (old != nullptr && !any(change & Change::Textures)) {
+    p.textures = old->textures;
+  } else {
+    p.textures = compile_textures<T>(scene);
+    rebuilt |= Change::Textures;
+  }
+  p.environment = scene.environment.image;
+  const double peak = brightest(scene.environment, p.materials->brightest);
+  result->film_unit = peak > 0 ? std::ldexp(1.0, std::ilogb(peak) + 1) : 1.0;
+  result->width = scene.render.width;
+  result->height = scene.render.height;
+  result->crop = scene.render.crop.width > 0 ? scene.render.crop
+                                             : Crop{0, 0, scene.render.width, scene.render.height};
+  result->kernel = kernel;
+  fill_view(scene, result->crop, result->film_unit, p);
+  fill_stats(scene, p, result->stats);
+  parts->kernel = std::move(p);
+  result->parts = std::move(parts);
+  result->stats.compile_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel,
+                                           const RenderScene* previous, Change change) {
+  if (kernel == KernelKind::Auto) kernel = best_kernel();
+  if (kernel == KernelKind::Reference) return compile_for<double>(scene, kernel, previous, change);
+  return compile_for<float>(scene, kernel, previous, change);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,192 @@
+#include "core/compile/compile_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numeric>
+
+#include "core/compile/compile_mesh.h"
+#include "core/compile/shape_rows.h"
+#include "core/scene/transform.h"
+
+namespace lightbench {
+namespace {
+
+/// Room for the rounding of a surface point, in units of the spacing of T at the primitive's
+/// largest coordinate: recomputed hit points of analytic shapes and meshes (whose points pass two
+/// maps).
+constexpr double kShapeUlps = 8;
+constexpr double kMeshUlps = 16;
+
+Camera shutter_at(const Camera& camera, double time) {
+  Camera c = camera;
+  c.shutter_open = c.shutter_close = time;
+  return c;
+}
+
+double largest_coordinate(const Bounds& b) {
+  double m = 0;
+  for (int k = 0; k < 3; ++k) m = std::max({m, std::abs(b.min[k]), std::abs(b.max[k])});
+  return m;
+}
+
+Bounds render_bounds(const RenderSpace& space, const Bounds& b) {
+  Bounds r;
+  r.add(space.to_render(b.min));
+  r.add(space.to_render(b.max));
+  return r;
+}
+
+/// The primitives' rows hold rounded numbers; the boxes must contain what those describe.
+BvhBox padded_box(const Bounds& b, double padding) {
+  const double lo[3] = {b.min.x - padding, b.min.y - padding, b.min.z - padding};
+  const double hi[3] = {b.max.x + padding, b.max.y + padding, b.max.z + padding};
+  return outward_box(lo, hi);
+}
+
+struct Candidate {
+  int object;
+  PrimitiveKind kind;
+  bool surface;
+};
+
+template <class T>
+void add_mesh_row(GeometryPart<T>& part, const MeshPart<T>& mesh, const glm::dmat4& to_render,
+                  std::uint32_t index) {
+  // Mesh space to object space and on to render space.
+  glm::dmat4 unscale(1.0 / mesh.scale);
+  unscale[3] = glm::dvec4(mesh.center, 1);
+  const glm::dmat4 map = to_render * unscale;
+  std::vector<double> row;
+  append_affine(row, glm::inverse(map));
+  append_affine(row, map);
+  for (const double x : row) part.rows.push_back(static_cast<T>(x));
+  part.rows.push_back(static_cast<T>(index));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> object_roles(const Scene& scene) {
+  std::vector<std::uint8_t> roles(scene.objects.size());
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const Object& o = scene.objects[i];
+    const int surface = o.visible && o.material != kNone ? 1 : 0;
+    const int boundary = o.visible && o.medium != kNone ? 2 : 0;
+    roles[i] = static_cast<std::uint8_t>(surface | boundary);
+  }
+  return roles;
+}
+
+template <class T>
+std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
+                                                        const GeometryPart<T>* previous) {
+  auto part = std::make_shared<GeometryPart<T>>();
+  part->role = object_roles(scene);
+  part->shutter_open = scene.camera.shutter_open;
+  part->shutter_close = scene.camera.shutter_close;
+
+  const std::vector<Bounds> meshes = all_mesh_bounds(scene);
+  std::vector<Bounds> surfaces;
+  std::vector<bool> mesh_used(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (part->role[i] == 0) continue;
+    if (const auto* m = std::get_if<MeshShape>(&scene.objects[i].shape)) {
+      mesh_used[static_cast<std::size_t>(m->mesh)] = true;
+    }
+    // Fog around everything says nothing about where the surfaces are.
+    if ((part->role[i] & 1) != 0)
+      surfaces.push_back(object_bounds(scene.objects[i], scene.camera, meshes));
+  }
+  part->space = choose_render_space(surfaces);
+
+  part->meshes.resize(scene.meshes.size());
+  part->mesh_views.resize(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!mesh_used[i]) continue;
+    if (previous != nullptr) {
+      for (const auto& old : previous->meshes) {
+        if (old != nullptr && old->source == scene.meshes[i].data) part->meshes[i] = old;
+      }
+    }
+    if (part->meshes[i] == nullptr) part->meshes[i] = compile_mesh<T>(scene.meshes[i].data);
+    const MeshPart<T>& m = *part->meshes[i];
+    part->mesh_views[i] = {m.nodes.data(), m.blocks.data(),
+                           m.normals.empty() ? nullptr : m.normals.data(),
+                           m.uvs.empty() ? nullptr : m.uvs.data()};
+  }
+
+  // Surfaces first, then boundaries; within each by kind, so that the loop over a tiny scene
+  // branches predictably.
+  std::vector<Candidate> candidates;
+  std::vector<ShapeRow> shape_rows(scene.objects.size());
+  std::vector<glm::dmat4> to_render(scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (part->role[i] == 0) continue;
+    const Object& o = scene.objects[i];
+    to_render[i] = to_render_space(part->space, object_to_world(o.transform));
+    shape_rows[i] = make_shape_row(o.shape, to_render[i], part->shutter_open, part->shutter_close);
+    if (std::holds_alternative<MeshShape>(o.shape)) shape_rows[i].kind = PrimitiveKind::Mesh;
+    for (const bool surface : {true, false}) {
+      if ((part->role[i] & (surface ? 1 : 2)) != 0) {
+        candidates.push_back({static_cast<int>(i), shape_rows[i].kind, surface});
+      }
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return a.surface != b.surface ? a.surface : a.kind < b.kind;
+                   });
+
+  const double eps = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
+  std::vector<BvhBox> boxes, boxes_end;
+  bool has_mesh = false;
+  for (const Candidate& c : candidates) {
+    const auto i = static_cast<std::size_t>(c.object);
+    const Object& o = scene.objects[i];
+    part->kind.push_back(static_cast<std::uint32_t>(c.kind));
+    part->row.push_back(static_cast<std::uint32_t>(part->rows.size()));
+    part->object.push_back(c.object);
+    part->area.push_back(shape_rows[i].area);
+    if (const auto* m = std::get_if<MeshShape>(&o.shape)) {
+      const auto index = static_cast<std::uint32_t>(m->mesh);
+      add_mesh_row(*part, *part->meshes[index], to_render[i], index);
+    } else {
+      for (const double x : shape_rows[i].numbers) part->rows.push_back(static_cast<T>(x));
+    }
+    std::vector<double> inverse;
+    append_affine(inverse, glm::inverse(to_render[i]));
+    for (const double x : inverse) part->to_object.push_back(static_cast<T>(x));
+
+    const Bounds box = render_bounds(part->space, object_bounds(o, scene.camera, meshes));
+    const double ulp = eps * largest_coordinate(box);
+    part->offset.push_back(
+        static_cast<T>(ulp * (c.kind == PrimitiveKind::Mesh ? kMeshUlps : kShapeUlps)));
+    if (!c.surface) continue;
+    ++part->surface_count;
+    part->surface_kinds |= 1U << static_cast<unsigned>(c.kind);
+    has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
+    const auto at = [&](double time) {
+      return padded_box(
+          render_bounds(part->space, object_bounds(o, shutter_at(scene.camera, time), meshes)),
+          4 * ulp);
+    };
+    boxes.push_back(at(part->shutter_open));
+    boxes_end.push_back(at(part->shutter_close));
+    const auto* sphere = std::get_if<SphereShape>(&o.shape);
+    part->moving = part->moving || (sphere != nullptr && sphere->motion != glm::dvec3(0) &&
+                                    part->shutter_close > part->shutter_open);
+  }
+  if (part->surface_count >= kTinyScene || has_mesh) {
+    if (!part->moving) boxes_end.clear();
+    part->tree = build_bvh(boxes, boxes_end, BvhLeaf::Items);
+  }
+  return part;
+}
+
+template std::shared_ptr<const GeometryPart<float>> compile_geometry(const Scene&,
+                                                                     const GeometryPart<float>*);
+template std::shared_ptr<const GeometryPart<double>> compile_geometry(const Scene&,
+                                                                      const GeometryPart<double>*);
+
+}  // namespace lightbench

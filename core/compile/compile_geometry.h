@@ -1,0 +1,19 @@
+#pragma once
+// Objects become primitives in render space, meshes their trees, and both a top-level tree.
+
+#include "core/compile/parts.h"
+
+namespace lightbench {
+
+/// Below this many primitives (and without meshes) a loop over all of them beats a tree.
+inline constexpr std::uint32_t kTinyScene = 64;
+
+/// Meshes of `previous` are kept where their data is the same.
+template <class T>
+std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
+                                                        const GeometryPart<T>* previous);
+
+/// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.
+std::vector<std::uint8_t> object_roles(const Scene& scene);
+
+}  // namespace lightbench

@@ -1,0 +1,34 @@
+#pragma once
+// What `lightbench info` says of a compiled scene: which of the kernel's stations it enters.
+
+#include <vector>
+
+#include "core/compile/render_scene.h"
+#include "core/kernel/scene_view.h"
+
+namespace lightbench {
+
+template <class T>
+std::vector<Feature> feature_list(const SceneView<T>& view) {
+  const auto tree = view.nodes != nullptr;
+  return {
+      {"bvh", tree,
+       tree ? "eight-wide tree over the objects" : "tiny scene: every primitive is tested"},
+      {"motion", view.camera.moving, "rays carry a time"},
+      {"lens", view.camera.lens_radius > T(0), "defocus blur"},
+      {"lights", view.light_count > 0, "next-event estimation"},
+      {"environment", view.has_environment, "radiance from outside"},
+      {"media", view.medium_count > 0, "free flights and transmittance"},
+      {"textures", view.has_textures, "base colour lookups"},
+      {"emission textures", view.has_emission_textures, "textured lights"},
+      {"uv", view.needs_uv, "surface coordinates of curved shapes"},
+      {"solid textures", view.to_object != nullptr, "points in object space"},
+      {"lambertian", view.has_lambertian, "diffuse lobe"},
+      {"mirror", view.has_mirror, "smooth metal"},
+      {"fuzz", view.has_fuzz, "the books' fuzzy metal"},
+      {"ggx", view.has_ggx, "rough metal"},
+      {"dielectric", view.has_dielectric, "smooth glass"},
+  };
+}
+
+}  // namespace lightbench

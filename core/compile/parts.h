@@ -1,0 +1,86 @@
+#pragma once
+// The arrays behind a RenderScene. Each part is immutable and shared by every later RenderScene
+// whose edit did not touch it.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "core/accel/bvh.h"
+#include "core/compile/render_scene.h"
+#include "core/compile/render_space.h"
+#include "core/kernel/scene_view.h"
+
+namespace lightbench {
+
+/// A mesh with its BVH, in a space of its own: centred and of unit size, so that float suits it
+/// wherever the mesh's coordinates lie. mesh space = (object space - center) * scale.
+template <class T>
+struct MeshPart {
+  std::shared_ptr<const Mesh> source;
+  glm::dvec3 center{0};
+  double scale = 1;
+  std::vector<BvhNode> nodes;
+  std::vector<TriangleBlock<T>> blocks;
+  std::vector<T> normals, uvs;
+  std::vector<std::uint32_t> slot_triangle;  ///< triangle of the source, or Bvh::kPadding
+};
+
+/// Primitives in render space and the tree over them.
+template <class T>
+struct GeometryPart {
+  RenderSpace space;
+  double shutter_open = 0, shutter_close = 1;
+  std::uint32_t surface_count = 0;
+  std::uint32_t surface_kinds = 0;
+  bool moving = false;
+  std::vector<std::uint32_t> kind, row;
+  std::vector<T> rows, offset, to_object;
+  std::vector<int> object;         ///< of each primitive, index into Scene::objects
+  std::vector<double> area;        ///< render space; of a mesh instance 0 (see light part)
+  std::vector<std::uint8_t> role;  ///< of each object: bit 0 surface, bit 1 medium boundary
+  std::vector<MeshView<T>> mesh_views;
+  std::vector<std::shared_ptr<const MeshPart<T>>> meshes;  ///< by Scene::meshes, null if unused
+  Bvh tree;                                                ///< no nodes in tiny scenes
+};
+
+template <class T>
+struct MaterialPart {
+  std::vector<T> rows;
+  std::vector<std::uint32_t> of_primitive;
+  std::vector<MediumView<T>> media;
+  double brightest = 0;  ///< largest component of emitted radiance
+};
+
+template <class T>
+struct LightPart {
+  std::vector<std::uint32_t> first_of_primitive;
+  std::vector<std::uint32_t> primitive, slot, alias_other;
+  std::vector<T> pmf, alias_threshold;
+  std::uint32_t kinds = 0;
+};
+
+template <class T>
+struct TexturePart {
+  std::vector<T> rows;
+  std::vector<ImageView> images;
+  std::vector<std::shared_ptr<const Image>> keep;
+};
+
+template <class T>
+struct KernelParts {
+  std::shared_ptr<const GeometryPart<T>> geometry;
+  std::shared_ptr<const MaterialPart<T>> materials;
+  std::shared_ptr<const LightPart<T>> lights;
+  std::shared_ptr<const TexturePart<T>> textures;
+  std::shared_ptr<const Image> environment;
+  SceneView<T> view;
+};
+
+struct RenderScene::Parts {
+  std::variant<KernelParts<float>, KernelParts<double>> kernel;
+};
+
+}  // namespace lightbench

@@ -1,0 +1,219 @@
+#pragma once
+// 8 lanes on AVX2, 16 on AVX-512: thin structs over the compiler's vector extensions, with
+// intrinsics only where the language has no operator. AVX-512 masks live in k-registers.
+
+// g++ 12 warns of its own header's deliberately undefined registers (GCC PR 105593).
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <immintrin.h>
+#pragma GCC diagnostic pop
+
+#include <cstdint>
+
+LIGHTBENCH_KERNEL_BEGIN
+
+using T = float;
+inline constexpr int kLanes = LIGHTBENCH_LANES;
+typedef float RealLanes __attribute__((vector_size(4 * LIGHTBENCH_LANES)));
+typedef std::uint32_t IntLanes __attribute__((vector_size(4 * LIGHTBENCH_LANES)));
+typedef std::int32_t SignedLanes __attribute__((vector_size(4 * LIGHTBENCH_LANES)));
+
+#if LIGHTBENCH_LANES == 16
+#define LB_INTRINSIC(name) _mm512_##name
+using IntRegister = __m512i;
+#else
+#define LB_INTRINSIC(name) _mm256_##name
+using IntRegister = __m256i;
+#endif
+
+inline RealLanes broadcast(float a) { return LB_INTRINSIC(set1_ps)(a); }
+inline IntLanes broadcast(std::uint32_t a) {
+  return IntLanes(LB_INTRINSIC(set1_epi32)(static_cast<int>(a)));
+}
+
+struct Mask {
+#if LIGHTBENCH_LANES == 16
+  __mmask16 m;
+  Mask() = default;
+  Mask(bool b) : m(b ? 0xffff : 0) {}
+  explicit Mask(__mmask16 k) : m(k) {}
+#else
+  SignedLanes m;
+  Mask() = default;
+  Mask(bool b) : m(SignedLanes(_mm256_set1_epi32(b ? -1 : 0))) {}
+  explicit Mask(SignedLanes k) : m(k) {}
+#endif
+};
+
+struct Real {
+  RealLanes v;
+  Real() = default;
+  Real(float a) : v(broadcast(a)) {}
+  explicit Real(RealLanes a) : v(a) {}
+};
+
+struct Int {
+  IntLanes v;
+  Int() = default;
+  Int(std::uint32_t a) : v(broadcast(a)) {}
+  explicit Int(IntLanes a) : v(a) {}
+};
+
+inline Real operator+(Real a, Real b) { return Real(a.v + b.v); }
+inline Real operator-(Real a, Real b) { return Real(a.v - b.v); }
+inline Real operator*(Real a, Real b) { return Real(a.v * b.v); }
+inline Real operator/(Real a, Real b) { return Real(a.v / b.v); }
+inline Real operator-(Real a) { return Real(-a.v); }
+inline Real& operator+=(Real& a, Real b) { return a = a + b; }
+inline Real& operator-=(Real& a, Real b) { return a = a - b; }
+inline Real& operator*=(Real& a, Real b) { return a = a * b; }
+
+inline Int operator+(Int a, Int b) { return Int(a.v + b.v); }
+inline Int operator-(Int a, Int b) { return Int(a.v - b.v); }
+inline Int operator*(Int a, Int b) { return Int(a.v * b.v); }
+inline Int operator&(Int a, Int b) { return Int(a.v & b.v); }
+inline Int operator|(Int a, Int b) { return Int(a.v | b.v); }
+inline Int operator^(Int a, Int b) { return Int(a.v ^ b.v); }
+inline Int operator<<(Int a, int n) { return Int(a.v << n); }
+inline Int operator>>(Int a, int n) { return Int(a.v >> n); }
+inline Int& operator+=(Int& a, Int b) { return a = a + b; }
+inline Int& operator^=(Int& a, Int b) { return a = a ^ b; }
+inline Int& operator*=(Int& a, Int b) { return a = a * b; }
+
+#if LIGHTBENCH_LANES == 16
+inline Mask operator<(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)); }
+inline Mask operator<=(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)); }
+inline Mask operator==(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_EQ_OQ)); }
+inline Mask operator!=(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_NEQ_UQ)); }
+inline Mask operator==(Int a, Int b) {
+  return Mask(_mm512_cmpeq_epi32_mask(IntRegister(a.v), IntRegister(b.v)));
+}
+inline Mask operator<(Int a, Int b) {
+  return Mask(_mm512_cmplt_epu32_mask(IntRegister(a.v), IntRegister(b.v)));
+}
+inline Mask operator&&(Mask a, Mask b) { return Mask(static_cast<__mmask16>(a.m & b.m)); }
+inline Mask operator||(Mask a, Mask b) { return Mask(static_cast<__mmask16>(a.m | b.m)); }
+inline Mask operator!(Mask a) { return Mask(static_cast<__mmask16>(~a.m)); }
+inline Mask operator!=(Mask a, Mask b) { return Mask(static_cast<__mmask16>(a.m ^ b.m)); }
+inline Real select(Mask m, Real a, Real b) {
+  return Real(RealLanes(_mm512_mask_blend_ps(m.m, b.v, a.v)));
+}
+inline Int select(Mask m, Int a, Int b) {
+  return Int(IntLanes(_mm512_mask_blend_epi32(m.m, IntRegister(b.v), IntRegister(a.v))));
+}
+inline std::uint32_t bits(Mask a) { return a.m; }
+inline Mask mask_from_bits(std::uint32_t b) { return Mask(static_cast<__mmask16>(b)); }
+inline Int lane_index() {
+  return Int(IntLanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+}
+inline Real floor(Real a) {
+  return Real(RealLanes(_mm512_roundscale_ps(a.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)));
+}
+inline Real gather(const float* table, Int index) {
+  return Real(RealLanes(_mm512_i32gather_ps(IntRegister(index.v), table, 4)));
+}
+inline Int gather(const std::uint32_t* table, Int index) {
+  return Int(IntLanes(_mm512_i32gather_epi32(IntRegister(index.v), table, 4)));
+}
+inline Int load(const std::uint32_t* p) { return Int(IntLanes(_mm512_loadu_si512(p))); }
+inline void store(std::uint32_t* p, Int a) { _mm512_storeu_si512(p, IntRegister(a.v)); }
+#else
+inline Mask operator<(Real a, Real b) {
+  return Mask(SignedLanes(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
+}
+inline Mask operator<=(Real a, Real b) {
+  return Mask(SignedLanes(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+inline Mask operator==(Real a, Real b) {
+  return Mask(SignedLanes(_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)));
+}
+inline Mask operator!=(Real a, Real b) {
+  return Mask(SignedLanes(_mm256_cmp_ps(a.v, b.v, _CMP_NEQ_UQ)));
+}
+inline Mask operator==(Int a, Int b) { return Mask(SignedLanes(a.v == b.v)); }
+inline Mask operator<(Int a, Int b) { return Mask(SignedLanes(a.v < b.v)); }
+inline Mask operator&&(Mask a, Mask b) { return Mask(a.m & b.m); }
+inline Mask operator||(Mask a, Mask b) { return Mask(a.m | b.m); }
+inline Mask operator!(Mask a) { return Mask(~a.m); }
+inline Mask operator!=(Mask a, Mask b) { return Mask(a.m ^ b.m); }
+inline Real select(Mask m, Real a, Real b) {
+  return Real(RealLanes(_mm256_blendv_ps(b.v, a.v, __m256(m.m))));
+}
+inline Int select(Mask m, Int a, Int b) {
+  return Int(IntLanes(_mm256_blendv_epi8(IntRegister(b.v), IntRegister(a.v), IntRegister(m.m))));
+}
+inline std::uint32_t bits(Mask a) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(a.m)));
+}
+inline Int lane_index() { return Int(IntLanes{0, 1, 2, 3, 4, 5, 6, 7}); }
+inline Mask mask_from_bits(std::uint32_t b) {
+  const SignedLanes lane_bit = {1, 2, 4, 8, 16, 32, 64, 128};
+  return Mask(SignedLanes((SignedLanes(broadcast(b)) & lane_bit) == lane_bit));
+}
+inline Real floor(Real a) { return Real(RealLanes(_mm256_floor_ps(a.v))); }
+inline Real gather(const float* table, Int index) {
+  return Real(RealLanes(_mm256_i32gather_ps(table, IntRegister(index.v), 4)));
+}
+inline Int gather(const std::uint32_t* table, Int index) {
+  return Int(IntLanes(
+      _mm256_i32gather_epi32(reinterpret_cast<const int*>(table), IntRegister(index.v), 4)));
+}
+inline Int load(const std::uint32_t* p) {
+  return Int(IntLanes(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))));
+}
+inline void store(std::uint32_t* p, Int a) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), IntRegister(a.v));
+}
+#endif
+
+inline Mask operator>(Real a, Real b) { return b < a; }
+inline Mask operator>=(Real a, Real b) { return b <= a; }
+inline Mask operator>(Int a, Int b) { return b < a; }
+inline Mask operator>=(Int a, Int b) { return !(a < b); }
+inline Mask operator<=(Int a, Int b) { return !(b < a); }
+inline Mask operator!=(Int a, Int b) { return !(a == b); }
+inline Mask operator==(Mask a, Mask b) { return !(a != b); }
+inline Mask select(Mask m, Mask a, Mask b) { return (m && a) || (!m && b); }
+inline bool any(Mask m) { return bits(m) != 0; }
+inline bool none(Mask m) { return bits(m) == 0; }
+
+// Ordered so that a NaN in `a` loses: both return `b` then.
+inline Real min(Real a, Real b) { return Real(RealLanes(LB_INTRINSIC(min_ps)(a.v, b.v))); }
+inline Real max(Real a, Real b) { return Real(RealLanes(LB_INTRINSIC(max_ps)(a.v, b.v))); }
+inline Int min(Int a, Int b) { return select(a < b, a, b); }
+inline Real sqrt(Real a) { return Real(RealLanes(LB_INTRINSIC(sqrt_ps)(a.v))); }
+inline Real fma(Real a, Real b, Real c) {
+  return Real(RealLanes(LB_INTRINSIC(fmadd_ps)(a.v, b.v, c.v)));
+}
+inline Int as_int(Real a) { return Int(IntLanes(a.v)); }
+inline Real as_real(Int a) { return Real(RealLanes(a.v)); }
+inline Real abs(Real a) { return as_real(as_int(a) & Int(0x7fffffffU)); }
+inline Real copysign(Real magnitude, Real sign) {
+  return as_real((as_int(magnitude) & Int(0x7fffffffU)) | (as_int(sign) & Int(0x80000000U)));
+}
+inline Real to_real(Int a) { return Real(RealLanes(LB_INTRINSIC(cvtepi32_ps)(IntRegister(a.v)))); }
+/// Truncates; |a| < 2^31.
+inline Int to_int(Real a) { return Int(IntLanes(LB_INTRINSIC(cvttps_epi32)(a.v))); }
+/// Uniform in [0,1) from 32 random bits; the top 24 only, so that it never rounds to 1.
+inline Real unit_from_bits(Int a) { return to_real(a >> 8) * 0x1p-24F; }
+inline Real load(const float* p) { return Real(RealLanes(LB_INTRINSIC(loadu_ps)(p))); }
+inline void store(float* p, Real a) { LB_INTRINSIC(storeu_ps)(p, a.v); }
+
+/// Lane 0.
+inline T first(Real a) { return a.v[0]; }
+inline std::uint32_t first(Int a) { return a.v[0]; }
+
+/// Position of each set lane among the set lanes, counted from 0.
+inline Int rank(Mask m) {
+  alignas(64) std::uint32_t position[kLanes];
+  const std::uint32_t set = bits(m);
+  for (unsigned i = 0; i < kLanes; ++i) {
+    position[i] = static_cast<std::uint32_t>(__builtin_popcount(set & ((1U << i) - 1U)));
+  }
+  return load(position);
+}
+
+#undef LB_INTRINSIC
+
+LIGHTBENCH_KERNEL_END

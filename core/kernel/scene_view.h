@@ -1,0 +1,123 @@
+#pragma once
+// What a kernel sees of a RenderScene: plain pointers and numbers in render space, number type T.
+// The arrays belong to RenderScene::Parts, which outlives every render() call. A feature that the
+// scene lacks is an empty array or a false flag here, and the kernel never enters its code.
+
+#include <cstdint>
+
+#include "core/accel/bvh_node.h"
+
+namespace lightbench {
+
+enum class PrimitiveKind : std::uint32_t {
+  Sphere,
+  Ellipsoid,  ///< affine image of a sphere (non-uniform scale)
+  Cylinder,
+  EllipticCylinder,  ///< affine image of a cylinder
+  Disc,              ///< ellipse in general
+  Rectangle,         ///< parallelogram in general
+  Triangle,
+  Pyramid,
+  Box,
+  Mesh,
+};
+
+enum class BsdfKind : std::uint32_t { Black, Lambertian, Mirror, Fuzz, Ggx, Dielectric };
+
+inline constexpr std::uint32_t kNoLight = 0xffffffffU;
+inline constexpr std::uint32_t kNoHit = 0xffffffffU;
+inline constexpr unsigned kMaterialStride = 16;
+inline constexpr unsigned kTextureStride = 16;
+
+template <class T>
+struct MeshView {
+  const BvhNode* nodes = nullptr;
+  const TriangleBlock<T>* blocks = nullptr;
+  const T* normals = nullptr;  ///< 9 per slot (block * 8 + slot), or null
+  const T* uvs = nullptr;      ///< 6 per slot, or null
+};
+
+struct ImageView {
+  const float* rgb = nullptr;
+  int width = 0, height = 0;
+};
+
+template <class T>
+struct MediumView {
+  std::uint32_t boundary;  ///< primitive index
+  T sigma;                 ///< extinction per unit of render space
+  T albedo[3];
+};
+
+template <class T>
+struct CameraView {
+  T origin[3], right[3], up[3],
+      forward[3];  ///< right and up scaled to the focal plane at distance 1
+  T lens_radius, focus_distance;
+  bool moving;  ///< something moves: rays need a time in [0,1) over the shutter
+  T filter_radius;
+  std::uint32_t filter;  ///< FilterKind
+  int width, height;     ///< picture
+  int crop_x, crop_y;    ///< where film pixel (0, 0) lies
+};
+
+template <class T>
+struct EnvironmentView {
+  std::uint32_t kind;      ///< EnvironmentKind
+  T color[3], horizon[3];  ///< strength included
+  T cos_rotation, sin_rotation;
+  ImageView image;
+};
+
+template <class T>
+struct SceneView {
+  // Primitives: [0, surface_count) are surfaces, the rest are boundaries of media.
+  std::uint32_t surface_count = 0;
+  const std::uint32_t* kind = nullptr;
+  const std::uint32_t* row = nullptr;  ///< offset of the primitive's numbers in `rows`
+  const T* rows = nullptr;
+  const T* offset = nullptr;  ///< bound on the error of a point on it, render space
+  const std::uint32_t* material = nullptr;
+  const std::uint32_t* first_light = nullptr;  ///< light of the primitive (of a mesh's slot 0)
+  const T* to_object = nullptr;  ///< 12 per primitive; null unless solid textures are used
+  const MeshView<T>* meshes = nullptr;
+
+  // Closest hits: a loop over all primitives, or the BVH when `nodes` is set.
+  const BvhNode* nodes = nullptr;
+  const BvhMotion* motion = nullptr;      ///< null unless something moves
+  const std::uint32_t* leaves = nullptr;  ///< primitive indices in leaf order
+
+  const T* materials = nullptr;
+  const T* textures = nullptr;
+  const ImageView* images = nullptr;  ///< by texture
+
+  std::uint32_t surface_kinds = 0;  ///< bit per PrimitiveKind among surfaces
+
+  std::uint32_t light_count = 0;
+  std::uint32_t light_kinds = 0;  ///< bit per PrimitiveKind among lights
+  const std::uint32_t* light_primitive = nullptr;
+  const std::uint32_t* light_slot = nullptr;  ///< triangle slot of a mesh light
+  const T* light_pmf = nullptr;
+  const T* alias_threshold = nullptr;
+  const std::uint32_t* alias_other = nullptr;
+
+  std::uint32_t medium_count = 0;
+  const MediumView<T>* media = nullptr;
+
+  CameraView<T> camera;
+  EnvironmentView<T> environment;
+  int max_depth = 50;
+  int roulette_depth = 4;
+  std::uint32_t seed = 0;
+  T inverse_film_unit = 1;
+
+  bool has_mirror = false, has_fuzz = false, has_ggx = false, has_dielectric = false;
+  bool has_lambertian = false;
+  bool has_textures = false;  ///< base colour textures
+  bool has_emission_textures = false;
+  bool needs_uv = false;
+  bool has_environment = false;  ///< not black
+  bool has_emission = false;
+};
+
+}  // namespace lightbench

@@ -1,0 +1,97 @@
+#pragma once
+// Three-vectors of lanes, frames, affine maps and the table rows they are read from.
+
+#include "core/kernel/lanes.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+inline constexpr T kPi = T(3.14159265358979323846);
+inline constexpr T kTwoPi = 2 * kPi;
+inline constexpr T kInvPi = 1 / kPi;
+inline constexpr T kInfinity = __builtin_huge_val();
+inline constexpr T kEpsilon = sizeof(T) == 8 ? T(0x1p-53) : T(0x1p-24);  ///< half an ulp of 1
+
+struct Vec {
+  Real x, y, z;
+  Vec() = default;
+  Vec(Real a, Real b, Real c) : x(a), y(b), z(c) {}
+  explicit Vec(Real a) : x(a), y(a), z(a) {}
+};
+
+inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec operator-(Vec a) { return {-a.x, -a.y, -a.z}; }
+inline Vec operator*(Vec a, Vec b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline Vec operator*(Vec a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Vec operator*(Real s, Vec a) { return a * s; }
+inline Vec select(Mask m, Vec a, Vec b) {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+inline Real dot(Vec a, Vec b) { return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x)); }
+/// b + s a
+inline Vec madd(Vec a, Real s, Vec b) {
+  return {fma(a.x, s, b.x), fma(a.y, s, b.y), fma(a.z, s, b.z)};
+}
+/// Plain products on purpose: antisymmetric, cross(a, a) = 0 exactly.
+inline Vec cross(Vec a, Vec b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Real length_squared(Vec a) { return dot(a, a); }
+inline Real length(Vec a) { return sqrt(dot(a, a)); }
+inline Vec normalize(Vec a) { return a * (Real(1) / length(a)); }
+inline Real max_component(Vec a) { return max(a.x, max(a.y, a.z)); }
+inline Real square(Real a) { return a * a; }
+inline Real clamp(Real a, Real lo, Real hi) { return min(max(a, lo), hi); }
+/// sqrt(max(a, 0))
+inline Real safe_sqrt(Real a) { return sqrt(max(a, Real(0))); }
+/// Rec. 709
+inline Real luminance(Vec c) { return fma(c.z, T(0.0722), fma(c.y, T(0.7152), c.x * T(0.2126))); }
+
+/// Orthonormal basis around unit z (Duff et al., JCGT 6:1, 2017).
+struct Frame {
+  Vec x, y, z;
+  explicit Frame(Vec n) : z(n) {
+    const Real s = copysign(Real(1), n.z);
+    const Real a = Real(-1) / (s + n.z);
+    const Real b = n.x * n.y * a;
+    x = {Real(1) + s * n.x * n.x * a, s * b, -(s * n.x)};
+    y = {b, s + n.y * n.y * a, -n.y};
+  }
+  [[nodiscard]] Vec to_world(Vec v) const { return madd(x, v.x, madd(y, v.y, z * v.z)); }
+  [[nodiscard]] Vec to_local(Vec v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+};
+
+/// A row of a table of T: either the same row for all lanes (a broadcast) or one row per lane.
+struct UniformRow {
+  const T* base;
+  Real operator[](unsigned i) const { return Real(base[i]); }
+};
+struct LaneRow {
+  const T* base;
+  Int offset;
+  Real operator[](unsigned i) const { return gather(base, offset + Int(i)); }
+};
+template <class Row>
+Vec vec_at(const Row& row, unsigned i) {
+  return {row[i], row[i + 1], row[i + 2]};
+}
+
+/// 3x4 matrix, row major, 12 entries.
+struct Affine {
+  Vec r0, r1, r2, t;
+  [[nodiscard]] Vec point(Vec p) const {
+    return {dot(r0, p) + t.x, dot(r1, p) + t.y, dot(r2, p) + t.z};
+  }
+  [[nodiscard]] Vec vector(Vec v) const { return {dot(r0, v), dot(r1, v), dot(r2, v)}; }
+  /// Transpose of the linear part: normals go to world by the inverse map's transpose.
+  [[nodiscard]] Vec transposed(Vec n) const { return madd(r0, n.x, madd(r1, n.y, r2 * n.z)); }
+};
+template <class Row>
+Affine affine_at(const Row& row, unsigned i) {
+  return {vec_at(row, i),
+          vec_at(row, i + 4),
+          vec_at(row, i + 8),
+          {row[i + 3], row[i + 7], row[i + 11]}};
+}
+
+LIGHTBENCH_KERNEL_END

@@ -1,0 +1,84 @@
+#pragma once
+// The one switch over lobes: each kind present in the scene is evaluated under a mask and skipped
+// when no lane wants it.
+
+#include "core/materials/dielectric.h"
+#include "core/materials/fuzz.h"
+#include "core/materials/ggx.h"
+#include "core/materials/lambertian.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+inline Mask is_kind(const Material& m, BsdfKind kind) {
+  return m.kind == Int(static_cast<std::uint32_t>(kind));
+}
+
+/// True where the material is a pure delta lobe or black: light sampling cannot help there.
+inline Mask is_delta_or_black(const Material& m) {
+  return is_kind(m, BsdfKind::Mirror) || is_kind(m, BsdfKind::Dielectric) ||
+         is_kind(m, BsdfKind::Black);
+}
+
+inline void merge(Mask m, const BsdfSample& from, BsdfSample& into) {
+  into.wi = select(m, from.wi, into.wi);
+  into.weight = select(m, from.weight, into.weight);
+  into.pdf = select(m, from.pdf, into.pdf);
+  into.valid = select(m, from.valid, into.valid);
+  into.delta = select(m, from.delta, into.delta);
+}
+
+/// u: the direction; u_lobe: reflection or refraction, or the fuzz radius.
+inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, const Frame& frame,
+                              Vec wo, Mask entering, Vec2 u, Real u_lobe) {
+  BsdfSample s{frame.z, Vec(Real(0)), Real(0), Mask(false), Mask(false)};
+  const Mask lambertian = is_kind(m, BsdfKind::Lambertian);
+  if (scene.has_lambertian && any(lambertian)) {
+    merge(lambertian, sample_lambertian(m.base_color, frame, u), s);
+  }
+  const Mask mirror = is_kind(m, BsdfKind::Mirror);
+  if (scene.has_mirror && any(mirror)) {
+    const BsdfSample r{reflect(wo, frame.z), m.base_color, Real(1), dot(wo, frame.z) > Real(0),
+                       Mask(true)};
+    merge(mirror, r, s);
+  }
+  const Mask fuzz = is_kind(m, BsdfKind::Fuzz);
+  if (scene.has_fuzz && any(fuzz)) {
+    merge(fuzz, sample_fuzz(m.base_color, m.fuzz, frame.z, wo, u, u_lobe), s);
+  }
+  const Mask ggx = is_kind(m, BsdfKind::Ggx);
+  if (scene.has_ggx && any(ggx)) {
+    BsdfSample r = sample_ggx(m.base_color, m.alpha, frame.to_local(wo), u);
+    r.wi = frame.to_world(r.wi);
+    merge(ggx, r, s);
+  }
+  const Mask glass = is_kind(m, BsdfKind::Dielectric);
+  if (scene.has_dielectric && any(glass)) {
+    merge(glass, sample_dielectric(m.base_color, m.ior, entering, frame.z, wo, u_lobe), s);
+  }
+  return s;
+}
+
+/// Non-delta lobes only; zero for the others.
+inline BsdfValue eval_bsdf(const SceneView<T>& scene, const Material& m, const Frame& frame, Vec wo,
+                           Vec wi) {
+  BsdfValue v{Vec(Real(0)), Real(0)};
+  const auto merge_value = [&v](Mask mask, const BsdfValue& from) {
+    v.f = select(mask, from.f, v.f);
+    v.pdf = select(mask, from.pdf, v.pdf);
+  };
+  const Mask lambertian = is_kind(m, BsdfKind::Lambertian);
+  if (scene.has_lambertian && any(lambertian)) {
+    merge_value(lambertian, eval_lambertian(m.base_color, frame.z, wi));
+  }
+  const Mask fuzz = is_kind(m, BsdfKind::Fuzz);
+  if (scene.has_fuzz && any(fuzz)) {
+    merge_value(fuzz, eval_fuzz(m.base_color, m.fuzz, frame.z, wo, wi));
+  }
+  const Mask ggx = is_kind(m, BsdfKind::Ggx);
+  if (scene.has_ggx && any(ggx)) {
+    merge_value(ggx, eval_ggx(m.base_color, m.alpha, frame.to_local(wo), frame.to_local(wi)));
+  }
+  return v;
+}
+
+LIGHTBENCH_KERNEL_END

@@ -1,0 +1,96 @@
+#pragma once
+// Disc with any centre, normal and radius; an ellipse when its object is scaled unevenly. Its two
+// semi-axes are perpendicular (compile() sees to that).
+
+#include "core/sampling/spherical_rectangle.h"
+#include "core/shapes/shape.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+struct Disc {
+  static constexpr unsigned kRow = 12;
+  Vec center, n, u, v;  ///< u x v points along n
+};
+
+template <class Row>
+Disc disc_at(const Row& row) {
+  return {vec_at(row, 0), vec_at(row, 3), vec_at(row, 6), vec_at(row, 9)};
+}
+
+/// Ray parameter at the plane through `point`; a parallel ray misses.
+inline PlaneHit hit_plane(Vec point, Vec n, const Ray& ray) {
+  const Real cosine = dot(n, ray.d);
+  const Mask crosses = cosine != Real(0);
+  return {dot(n, point - ray.o) / select(crosses, cosine, Real(1)), crosses};
+}
+
+/// Coordinates of the hit on the semi-axes; on the unit disk inside the rim.
+inline Vec2 disc_coordinates(const Disc& s, const Ray& ray, Real t) {
+  const Vec q = madd(ray.d, t, ray.o - s.center);
+  return {dot(q, s.u) / length_squared(s.u), dot(q, s.v) / length_squared(s.v)};
+}
+
+inline PlaneHit hit_disc(const Disc& s, const Ray& ray) {
+  PlaneHit h = hit_plane(s.center, s.n, ray);
+  const Vec2 c = disc_coordinates(s, ray, h.t);
+  h.hit = h.hit && c.x * c.x + c.y * c.y <= Real(1);
+  return h;
+}
+
+/// uv: u around the normal, v the share of the radius.
+inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, bool with_uv) {
+  const Vec2 c = disc_coordinates(s, ray, t);
+  Surface r;
+  r.p = madd(s.u, c.x, madd(s.v, c.y, s.center));
+  r.ng = s.n;
+  r.ns = s.n;
+  if (with_uv) {
+    r.u = atan2(c.y, c.x) * (kInvPi * T(0.5)) + Real(T(0.5));
+    r.v = sqrt(c.x * c.x + c.y * c.y);
+  }
+  r.tangent = normalize(s.u);
+  return r;
+}
+
+/// The rectangle around the disc, whose solid angle is sampled when it is near: directions that
+/// miss the disc are invalid (at most 1 - pi/4 of a rectangle seen face on), pdf = 1 / solid angle.
+inline SphericalRectangle square_around(const Disc& s, Vec from) {
+  return spherical_rectangle(from, s.center - s.u - s.v, s.u * Real(2), s.v * Real(2));
+}
+
+inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
+
+/// True where the solid angle of the square is sampled; sample and pdf share this. A disc that is
+/// far against its size, where misses would cost more than the square gains, is sampled by area.
+inline Mask disc_is_near(const Disc& s, Vec from, const SphericalRectangle& q) {
+  const Real d2 = length_squared(from - s.center);
+  return q.solid_angle > Real(kMinSolidAngle) &&
+         d2 < T(2.25) * max(length_squared(s.u), length_squared(s.v));
+}
+
+inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
+  const Vec2 k = square_to_disk(u);
+  LightSample r =
+      toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n, Real(1) / area_of_disc(s));
+  const SphericalRectangle q = square_around(s, from);
+  const Mask near = disc_is_near(s, from, q);
+  if (any(near)) {
+    const Vec w = sample_spherical_rectangle(q, u);
+    const Vec p = w + (from - s.center);
+    const Real a = dot(p, s.u) / length_squared(s.u), b = dot(p, s.v) / length_squared(s.v);
+    const Real d = length(w);
+    r.d = select(near, w * (Real(1) / d), r.d);
+    r.distance = select(near, d, r.distance);
+    r.pdf = select(near, Real(1) / q.solid_angle, r.pdf);
+    r.valid = select(near, a * a + b * b <= Real(1), r.valid);
+  }
+  return r;
+}
+
+inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t) {
+  const SphericalRectangle q = square_around(s, from);
+  return select(disc_is_near(s, from, q), Real(1) / q.solid_angle,
+                solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d))));
+}
+
+LIGHTBENCH_KERNEL_END

@@ -1,0 +1,88 @@
+#pragma once
+// Instanced triangle mesh. Rows hold the maps between render space and the mesh's own space, in
+// which its BVH and triangles live; t is the same in both.
+
+#include "core/shapes/triangle.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+struct MeshInstance {
+  static constexpr unsigned kRow = 24;  ///< then the index of the mesh
+  Affine to_local, to_world;
+};
+
+template <class Row>
+MeshInstance mesh_at(const Row& row) {
+  return {affine_at(row, 0), affine_at(row, 12)};
+}
+
+/// One triangle of a mesh per lane, fetched lane by lane because meshes do not share an array.
+struct MeshTriangle {
+  Triangle vertices;  ///< mesh space
+  Vec normals[3];     ///< zero where the mesh has none
+  Vec2 uvs[3];
+  Mask has_normals, has_uvs;
+};
+
+inline MeshTriangle fetch_triangle(const SceneView<T>& scene, Int primitive, Int slot,
+                                   Mask active) {
+  alignas(64) std::uint32_t prim[kLanes], tri[kLanes];
+  alignas(64) T v[9][kLanes] = {}, n[9][kLanes] = {}, uv[6][kLanes] = {};
+  store(prim, primitive);
+  store(tri, slot);
+  std::uint32_t with_normals = 0, with_uvs = 0;
+  for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(m));
+    const auto index =
+        static_cast<std::uint32_t>(scene.rows[scene.row[prim[lane]] + MeshInstance::kRow]);
+    const MeshView<T>& mesh = scene.meshes[index];
+    const TriangleBlock<T>& block = mesh.blocks[tri[lane] / kBvhWidth];
+    const std::uint32_t column = tri[lane] % kBvhWidth;
+    for (unsigned k = 0; k < 9; ++k) v[k][lane] = block.v[k][column];
+    if (mesh.normals != nullptr) {
+      with_normals |= 1U << lane;
+      for (unsigned k = 0; k < 9; ++k) n[k][lane] = mesh.normals[std::size_t{9} * tri[lane] + k];
+    }
+    if (mesh.uvs != nullptr) {
+      with_uvs |= 1U << lane;
+      for (unsigned k = 0; k < 6; ++k) uv[k][lane] = mesh.uvs[std::size_t{6} * tri[lane] + k];
+    }
+  }
+  const auto vec = [](const T(&a)[9][kLanes], unsigned i) {
+    return Vec{load(a[i]), load(a[i + 1]), load(a[i + 2])};
+  };
+  MeshTriangle r;
+  r.vertices = {vec(v, 0), vec(v, 3), vec(v, 6)};
+  for (unsigned i = 0; i < 3; ++i) {
+    r.normals[i] = vec(n, 3 * i);
+    r.uvs[i] = {load(uv[2 * i]), load(uv[2 * i + 1])};
+  }
+  r.has_normals = mask_from_bits(with_normals);
+  r.has_uvs = mask_from_bits(with_uvs);
+  return r;
+}
+
+inline Triangle to_world(const MeshInstance& m, const Triangle& t) {
+  return {m.to_world.point(t.a), m.to_world.point(t.b), m.to_world.point(t.c)};
+}
+
+/// uv: the mesh's, or the barycentrics. The geometric normal follows the triangle's winding in
+/// object space whatever the instance's handedness.
+inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b1, Real b2) {
+  const Vec e1 = t.vertices.b - t.vertices.a, e2 = t.vertices.c - t.vertices.a;
+  Surface r;
+  r.p = m.to_world.point(madd(e1, b1, madd(e2, b2, t.vertices.a)));
+  r.ng = normalize(m.to_local.transposed(cross(e1, e2)));
+  const Real b0 = Real(1) - b1 - b2;
+  const Vec shading = madd(t.normals[0], b0, madd(t.normals[1], b1, t.normals[2] * b2));
+  const Vec ns = m.to_local.transposed(shading);
+  const Real squared = length_squared(ns);
+  r.ns = select(t.has_normals && squared > Real(0),
+                ns * (Real(1) / sqrt(select(squared > Real(0), squared, Real(1)))), r.ng);
+  r.u = select(t.has_uvs, fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)), b1);
+  r.v = select(t.has_uvs, fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)), b2);
+  r.tangent = normalize(m.to_world.vector(e1));
+  return r;
+}
+
+LIGHTBENCH_KERNEL_END

@@ -1,0 +1,144 @@
+#pragma once
+// Triangular pyramid (solid tetrahedron): four half-spaces relative to its first vertex, clipped.
+
+#include "core/sampling/warp.h"
+#include "core/shapes/shape.h"
+#include "core/shapes/triangle.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+/// Vertices v0, v0 + edge[0..2]. Face i lies opposite vertex i, outward unit normal n[i], at n . (p
+/// - v0) = h[i]; h is 0 but for face 0. Vertices are ordered (by compile) so that the normals of
+/// the faces in `face_triangle` point outward.
+struct Pyramid {
+  static constexpr unsigned kRow = 28;
+  Vec v0, edge[3], n[4];
+  Real h0;
+  Real cumulative_area[3];  ///< shares of faces 0, 0..1, 0..2
+  Real area;
+};
+
+template <class Row>
+Pyramid pyramid_at(const Row& row) {
+  Pyramid s;
+  s.v0 = vec_at(row, 0);
+  for (unsigned i = 0; i < 3; ++i) s.edge[i] = vec_at(row, 3 + 3 * i);
+  for (unsigned i = 0; i < 4; ++i) s.n[i] = vec_at(row, 12 + 3 * i);
+  s.h0 = row[24];
+  s.cumulative_area[0] = row[25];
+  s.cumulative_area[1] = row[26];
+  s.cumulative_area[2] = row[27];
+  // Areas follow from the faces' doubled cross products, so they need no numbers of their own.
+  s.area = (length(cross(s.edge[0], s.edge[1])) + length(cross(s.edge[1], s.edge[2])) +
+            length(cross(s.edge[2], s.edge[0])) +
+            length(cross(s.edge[1] - s.edge[0], s.edge[2] - s.edge[0]))) *
+           T(0.5);
+  return s;
+}
+
+struct PyramidInterval {
+  Interval span;
+  Int near_face, far_face;
+};
+
+inline PyramidInterval hit_pyramid_faces(const Pyramid& s, const Ray& ray) {
+  PyramidInterval r;
+  r.span.near = Real(-kInfinity);
+  r.span.far = Real(kInfinity);
+  r.near_face = Int(0U);
+  r.far_face = Int(0U);
+  Mask outside_parallel = false;
+  const Vec f = ray.o - s.v0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const Real height = (i == 0 ? s.h0 : Real(0)) - dot(s.n[i], f);
+    const Real slope = dot(s.n[i], ray.d);
+    const Mask parallel = slope == Real(0);
+    const Real t = height / select(parallel, Real(1), slope);
+    const Mask enters = slope < Real(0) && t > r.span.near;
+    const Mask leaves = slope > Real(0) && t < r.span.far;
+    r.span.near = select(enters, t, r.span.near);
+    r.near_face = select(enters, Int(i), r.near_face);
+    r.span.far = select(leaves, t, r.span.far);
+    r.far_face = select(leaves, Int(i), r.far_face);
+    outside_parallel = outside_parallel || (parallel && height < Real(0));
+  }
+  r.span.hit = r.span.near < r.span.far && !outside_parallel;
+  return r;
+}
+
+inline Interval hit_pyramid(const Pyramid& s, const Ray& ray) {
+  return hit_pyramid_faces(s, ray).span;
+}
+
+/// The triangle of face i, counter-clockwise seen from outside.
+inline Triangle face_triangle(const Pyramid& s, unsigned i) {
+  const Vec a = s.v0 + s.edge[0], b = s.v0 + s.edge[1], c = s.v0 + s.edge[2];
+  switch (i) {
+    case 0:
+      return {a, b, c};
+    case 1:
+      return {s.v0, c, b};
+    case 2:
+      return {s.v0, a, c};
+    default:
+      return {s.v0, b, a};
+  }
+}
+
+inline Vec face_normal(const Pyramid& s, Int face) {
+  return select(face == Int(0U), s.n[0],
+                select(face == Int(1U), s.n[1], select(face == Int(2U), s.n[2], s.n[3])));
+}
+
+/// Each lane's own face.
+inline Triangle face_triangles(const Pyramid& s, Int face) {
+  Triangle r = face_triangle(s, 0U);
+  for (unsigned i = 1; i < 4; ++i) {
+    const Mask m = face == Int(i);
+    const Triangle k = face_triangle(s, i);
+    r = {select(m, k.a, r.a), select(m, k.b, r.b), select(m, k.c, r.c)};
+  }
+  return r;
+}
+
+/// uv: barycentrics of the face.
+inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t) {
+  const PyramidInterval i = hit_pyramid_faces(s, ray);
+  const Int face = select(at_exit(i.span, t), i.far_face, i.near_face);
+  const Triangle tri = face_triangles(s, face);
+  const Vec e1 = tri.b - tri.a, e2 = tri.c - tri.a;
+  const Vec nn = cross(e1, e2);
+  const Vec q = madd(ray.d, t, ray.o - tri.a);
+  const Real inverse = Real(1) / length_squared(nn);
+  Surface r;
+  r.u = clamp(dot(cross(q, e2), nn) * inverse, Real(0), Real(1));
+  r.v = clamp(dot(cross(e1, q), nn) * inverse, Real(0), Real(1));
+  r.p = madd(e1, r.u, madd(e2, r.v, tri.a));
+  r.ng = face_normal(s, face);
+  r.ns = r.ng;
+  r.tangent = normalize(e1);
+  return r;
+}
+
+/// Uniform over the surface.
+inline LightSample sample_pyramid(const Pyramid& s, Vec from, Vec2 u) {
+  Int face(0U);
+  Real lower(0), upper = s.cumulative_area[0];
+  for (unsigned i = 1; i < 4; ++i) {
+    const Mask m = u.x >= s.cumulative_area[i - 1];
+    face = select(m, Int(i), face);
+    lower = select(m, s.cumulative_area[i - 1], lower);
+    upper = select(m, i < 3 ? s.cumulative_area[i] : Real(1), upper);
+  }
+  const Vec2 b =
+      square_to_triangle({clamp((u.x - lower) / (upper - lower), Real(0), Real(1)), u.y});
+  const Triangle tri = face_triangles(s, face);
+  const Vec p = madd(tri.b - tri.a, b.x, madd(tri.c - tri.a, b.y, tri.a));
+  return toward_point(from, p, face_normal(s, face), Real(1) / s.area);
+}
+
+inline Real pdf_pyramid(const Pyramid& s, Vec d, Real t, Vec n) {
+  return solid_angle_pdf(Real(1) / s.area, t * t, abs(dot(n, d)));
+}
+
+LIGHTBENCH_KERNEL_END

@@ -1,0 +1,75 @@
+#pragma once
+// What all shapes share. A solid gives the interval that a ray spends inside it; that one routine
+// serves surfaces, media boundaries and shadow rays, so a rim or an edge can neither leak nor be
+// hit twice. A ray remembers the primitive it left: a planar one is never hit again, a convex solid
+// only at its exit and only by a ray that goes inside (no minimal distance anywhere).
+
+#include "core/kernel/scene_view.h"
+#include "core/kernel/vec.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+struct Ray {
+  Vec o, d;  ///< d is unit in render space; instances trace it unnormalised
+  Real time;
+  Int from;             ///< primitive it left, kNoHit for none
+  Int from_slot;        ///< triangle slot of a mesh
+  Mask inside;          ///< it left `from` towards the inside
+  Int skip, skip_slot;  ///< shadow rays: the light they aim at, no occluder of itself...
+  Mask skip_back;  ///< ... unless they aim at the inner side of a solid and have to enter it first
+};
+
+/// Parameters at which a ray enters and leaves a convex solid; meaningless where !hit.
+struct Interval {
+  Real near, far;
+  Mask hit;
+};
+
+/// A planar shape's answer.
+struct PlaneHit {
+  Real t;
+  Mask hit;
+};
+
+/// A point of a surface, recomputed on the surface. `ng` is unit and points outward (to the front);
+/// `tangent` is the unit direction of increasing u. u and v stay 0 where a function is told to
+/// leave them out (they cost arc functions that an untextured scene does not need).
+struct Surface {
+  Vec p, ng, ns, tangent;
+  Real u = Real(0), v = Real(0);
+};
+
+/// A direction towards a light. pdf in solid angle at the reference point, over visible directions;
+/// `n` is the light's outward unit normal there. Where !valid nothing arrives.
+struct LightSample {
+  Vec d, n;
+  Real distance, pdf;
+  Mask valid;
+};
+
+/// True where t is the exit of the interval rather than its entry.
+inline Mask at_exit(const Interval& i, Real t) { return abs(t - i.far) < abs(t - i.near); }
+
+/// pdf in solid angle of a point chosen with `pdf_area`, seen over `distance_squared` at `cosine`.
+inline Real solid_angle_pdf(Real pdf_area, Real distance_squared, Real cosine) {
+  return pdf_area * distance_squared / cosine;
+}
+
+/// Below this solid angle (sr) lights are sampled by area: float angle sums lose precision there,
+/// and area sampling of a small light is as good.
+inline constexpr T kMinSolidAngle = T(0.02);
+
+/// Completes a sample from a point on the light chosen with density `pdf_area`.
+inline LightSample toward_point(Vec from, Vec point, Vec n, Real pdf_area) {
+  LightSample s;
+  const Vec w = point - from;
+  const Real d2 = length_squared(w);
+  s.distance = sqrt(d2);
+  s.d = w * (Real(1) / s.distance);
+  s.n = n;
+  s.pdf = solid_angle_pdf(pdf_area, d2, abs(dot(n, s.d)));
+  s.valid = d2 > Real(0) && s.pdf > Real(0) && s.pdf < Real(kInfinity);
+  return s;
+}
+
+LIGHTBENCH_KERNEL_END

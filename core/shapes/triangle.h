@@ -1,0 +1,121 @@
+#pragma once
+// Triangle: the watertight test of Woop, Benthin, Wald (JCGT 2:1, 2013), shared by single triangles
+// and meshes. Antisymmetry of its edge functions needs -ffp-contract=off.
+
+#include "core/sampling/spherical_triangle.h"
+#include "core/shapes/shape.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+struct Triangle {
+  static constexpr unsigned kRow = 9;
+  Vec a, b, c;
+};
+
+template <class Row>
+Triangle triangle_at(const Row& row) {
+  return {vec_at(row, 0), vec_at(row, 3), vec_at(row, 6)};
+}
+
+/// Hit with barycentrics of the vertices b and c.
+struct TriangleHit {
+  Real t, b1, b2;
+  Mask hit;
+};
+
+/// Vertices relative to the ray's origin, axes permuted so that z is the direction's largest, (sx,
+/// sy, sz) = (dx, dy, 1) / dz. Edges are inclusive: a shared edge belongs to both triangles.
+inline TriangleHit hit_sheared(Vec a, Vec b, Vec c, Real sx, Real sy, Real sz) {
+  const Real ax = a.x - sx * a.z, ay = a.y - sy * a.z;
+  const Real bx = b.x - sx * b.z, by = b.y - sy * b.z;
+  const Real cx = c.x - sx * c.z, cy = c.y - sy * c.z;
+  const Real u = cx * by - cy * bx;
+  const Real v = ax * cy - ay * cx;
+  const Real w = bx * ay - by * ax;
+  const Mask all_positive = u >= Real(0) && v >= Real(0) && w >= Real(0);
+  const Mask all_negative = u <= Real(0) && v <= Real(0) && w <= Real(0);
+  const Real det = u + v + w;
+  const Mask hit = (all_positive || all_negative) && det != Real(0);
+  const Real inverse = Real(1) / select(hit, det, Real(1));
+  const Real t = (u * (sz * a.z) + v * (sz * b.z) + w * (sz * c.z)) * inverse;
+  return {t, v * inverse, w * inverse, hit};
+}
+
+/// The permutation and shear of a ray.
+struct Shear {
+  Mask z_is_x, z_is_y;
+  Real sx, sy, sz;
+  explicit Shear(Vec d) {
+    const Real x = abs(d.x), y = abs(d.y), z = abs(d.z);
+    z_is_x = x >= y && x >= z;
+    z_is_y = !z_is_x && y >= z;
+    const Vec k = permute(d);
+    sz = Real(1) / k.z;
+    sx = k.x * sz;
+    sy = k.y * sz;
+  }
+  [[nodiscard]] Vec permute(Vec v) const {
+    return {select(z_is_x, v.y, select(z_is_y, v.z, v.x)),
+            select(z_is_x, v.z, select(z_is_y, v.x, v.y)),
+            select(z_is_x, v.x, select(z_is_y, v.y, v.z))};
+  }
+};
+
+inline TriangleHit hit_triangle(const Triangle& s, const Ray& ray) {
+  const Shear shear(ray.d);
+  return hit_sheared(shear.permute(s.a - ray.o), shear.permute(s.b - ray.o),
+                     shear.permute(s.c - ray.o), shear.sx, shear.sy, shear.sz);
+}
+
+/// uv = barycentrics (b1, b2).
+inline Surface surface_triangle(const Triangle& s, Real b1, Real b2) {
+  Surface r;
+  const Vec e1 = s.b - s.a, e2 = s.c - s.a;
+  r.p = madd(e1, b1, madd(e2, b2, s.a));
+  r.ng = normalize(cross(e1, e2));
+  r.ns = r.ng;
+  r.u = b1;
+  r.v = b2;
+  r.tangent = normalize(e1);
+  return r;
+}
+
+inline Real solid_angle_of_triangle(const Triangle& s, Vec from) {
+  return triangle_solid_angle(s.a - from, s.b - from, s.c - from, s.b - s.a, s.c - s.a);
+}
+
+/// True where the solid angle is sampled; sample and pdf share this. Near a full hemisphere (the
+/// point lies almost in the triangle) the map loses precision.
+inline Mask triangle_is_near(Real solid_angle) {
+  return solid_angle > Real(kMinSolidAngle) && solid_angle < Real(T(6.2));
+}
+
+inline LightSample sample_triangle(const Triangle& s, Vec from, Vec2 u) {
+  const Vec e1 = s.b - s.a, e2 = s.c - s.a;
+  const Vec nn = cross(e1, e2);
+  const Real doubled = length(nn);
+  const Vec n = nn * (Real(1) / doubled);
+  const Vec2 b = square_to_triangle(u);
+  LightSample r = toward_point(from, madd(e1, b.x, madd(e2, b.y, s.a)), n, Real(2) / doubled);
+  const Real omega = solid_angle_of_triangle(s, from);
+  const Mask near = triangle_is_near(omega);
+  if (any(near)) {
+    const Vec w = sample_spherical_triangle(s.a - from, s.b - from, s.c - from, omega, u);
+    const Real cosine = dot(n, w);
+    const Real t = dot(n, s.a - from) / select(cosine == Real(0), Real(1), cosine);
+    r.d = select(near, w, r.d);
+    r.distance = select(near, t, r.distance);
+    r.pdf = select(near, Real(1) / omega, r.pdf);
+    r.valid = select(near, t > Real(0) && t < Real(kInfinity), r.valid);
+  }
+  return r;
+}
+
+inline Real pdf_triangle(const Triangle& s, Vec from, Vec d, Real t) {
+  const Real omega = solid_angle_of_triangle(s, from);
+  const Vec nn = cross(s.b - s.a, s.c - s.a);
+  // 1/area * t^2 / |cos|, with n not normalised: the lengths cancel.
+  return select(triangle_is_near(omega), Real(1) / omega, T(2) * t * t / abs(dot(nn, d)));
+}
+
+LIGHTBENCH_KERNEL_END
