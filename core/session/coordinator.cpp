@@ -241,6 +241,7 @@ void Coordinator::report(SessionState state) {
   if (scene_) {
     status.target_spp = static_cast<std::uint32_t>(std::max(0, scene_->render.spp));
     status.remaining = estimate_remaining(progress());
+    if (status.remaining >= 0) status.remaining += seconds() - clock_seconds_;
   }
   if (compiled_) status.scene = compiled_->stats;
   bool changed = false;

@@ -38,7 +38,7 @@ struct Exchange {
   // What the coordinator has.
   std::shared_ptr<const Frame> frame;
   std::vector<std::shared_ptr<const Frame>> snapshots;
-  SessionStatus status;  ///< `seconds` up to the last start or stop of the clock
+  SessionStatus status;  ///< `seconds` and `remaining` as of the last start or stop of the clock
   std::optional<Clock::time_point> running_since;
 };
 

@@ -1,5 +1,6 @@
 #include "core/session/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -83,6 +84,7 @@ SessionStatus Session::status() const {
     const std::chrono::duration<double> running =
         Exchange::Clock::now() - *state_->exchange.running_since;
     status.seconds += running.count();
+    if (status.remaining >= 0) status.remaining = std::max(0.0, status.remaining - running.count());
   }
   return status;
 }
