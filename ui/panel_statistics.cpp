@@ -1,0 +1,69 @@
+#include <imgui.h>
+
+#include "ui/fields.h"
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/theme.h"
+
+namespace lightbench::ui {
+namespace {
+
+std::string target_of(const SessionStatus& status) {
+  return status.target_spp == 0 ? "no limit" : format_integer(status.target_spp) + " spp";
+}
+
+void draw_dropped(const Counters& counters) {
+  value_row("Non-finite", format_integer(static_cast<std::int64_t>(counters.non_finite)));
+  if (counters.non_finite == 0) return;
+  ImGui::TextColored(kPalette.error, "dropped; first at pixel %d, %d sample %u", counters.bad_x,
+                     counters.bad_y, counters.bad_sample);
+}
+
+void draw_timings(const char* label, const Timings& timings, const char* tip) {
+  value_row(label, timings.count() == 0 ? "-"
+                                        : format_duration(timings.quantile(0.5)) + " (99 %: " +
+                                              format_duration(timings.quantile(0.99)) + ")");
+  tip_for_last(tip);
+}
+
+}  // namespace
+
+void draw_statistics_panel(Workbench& bench) {
+  if (ImGui::Begin(panel::kStatistics)) {
+    const SessionStatus& status = bench.status;
+    if (section("Progress")) {
+      value_row("Samples", format_integer(status.spp) + " spp");
+      value_row("Target", target_of(status));
+      value_row("Elapsed", format_duration(status.seconds));
+      value_row("Remaining", format_duration(status.remaining));
+    }
+    if (section("Speed")) {
+      value_row("Paths", format_count(status.samples_per_second) + "/s");
+      value_row("Rays", format_count(status.rays_per_second) + "/s");
+      value_row("Threads", std::to_string(status.threads));
+      draw_dropped(status.counters);
+    }
+    if (section("Scene")) {
+      value_row("Objects", format_integer(status.scene.objects));
+      value_row("Primitives", format_integer(status.scene.primitives));
+      value_row("Triangles", format_integer(status.scene.triangles));
+      value_row("Lights", format_integer(status.scene.lights));
+      value_row("Scene memory", format_bytes(static_cast<std::uint64_t>(status.scene.bytes)));
+      value_row("Film memory", format_bytes(status.film_bytes));
+      value_row("Compiled in", format_duration(status.scene.compile_seconds));
+    }
+    if (section("Interface")) {
+      draw_timings("Frame", bench.frame_times, "Time to draw the interface once");
+      draw_timings("Edit to picture", bench.edit_times, "From an edit to the first picture of it");
+    }
+    if (section("Features")) {
+      for (const Feature& feature : status.scene.features) {
+        value_row(feature.name.c_str(), feature.used ? "used" : "skipped");
+        tip_for_last(feature.note.empty() ? nullptr : feature.note.c_str());
+      }
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace lightbench::ui
