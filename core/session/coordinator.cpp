@@ -203,6 +203,7 @@ void Coordinator::publish(std::shared_ptr<const Frame> frame, bool is_snapshot) 
     const std::lock_guard lock(exchange_.mutex);
     if (is_snapshot) exchange_.snapshots.push_back(frame);
     exchange_.frame.swap(frame);  // the old frame is freed below, outside the lock
+    exchange_.status.spp = spp_;  // the rest of the status follows; this is never behind
     wake = exchange_.wake;
     context = exchange_.wake_context;
   }
