@@ -60,37 +60,40 @@ inline SphericalRectangle square_around(const Disc& s, Vec from) {
 
 inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
 
-/// True where the solid angle of the square is sampled; sample and pdf share this. A disc that is
-/// far against its size, where misses would cost more than the square gains, is sampled by area.
-inline Mask disc_is_near(const Disc& s, Vec from, const SphericalRectangle& q) {
-  const Real d2 = length_squared(from - s.center);
-  return q.solid_angle > Real(kMinSolidAngle) &&
-         d2 < T(2.25) * max(length_squared(s.u), length_squared(s.v));
+/// Beyond this many (larger) radii the disc is sampled by area: misses would cost more than the square
+/// gains.
+inline constexpr T kDiscNear = T(1.5);
+
+inline Mask disc_may_be_near(const Disc& s, Vec from) {
+  return length_squared(from - s.center) <
+         kDiscNear * kDiscNear * max(length_squared(s.u), length_squared(s.v));
 }
 
 inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
   const Vec2 k = square_to_disk(u);
-  LightSample r =
-      toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n, Real(1) / area_of_disc(s));
+  LightSample r = toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n,
+                               Real(1) / area_of_disc(s));
+  Mask near = disc_may_be_near(s, from);
+  if (none(near)) return r;
   const SphericalRectangle q = square_around(s, from);
-  const Mask near = disc_is_near(s, from, q);
-  if (any(near)) {
-    const Vec w = sample_spherical_rectangle(q, u);
-    const Vec p = w + (from - s.center);
-    const Real a = dot(p, s.u) / length_squared(s.u), b = dot(p, s.v) / length_squared(s.v);
-    const Real d = length(w);
-    r.d = select(near, w * (Real(1) / d), r.d);
-    r.distance = select(near, d, r.distance);
-    r.pdf = select(near, Real(1) / q.solid_angle, r.pdf);
-    r.valid = select(near, a * a + b * b <= Real(1), r.valid);
-  }
+  near = near && q.solid_angle > Real(kMinSolidAngle);
+  const Vec w = sample_spherical_rectangle(q, u);
+  const Vec p = w + (from - s.center);
+  const Real a = dot(p, s.u) / length_squared(s.u), b = dot(p, s.v) / length_squared(s.v);
+  const Real d = length(w);
+  r.d = select(near, w * (Real(1) / d), r.d);
+  r.distance = select(near, d, r.distance);
+  r.pdf = select(near, Real(1) / q.solid_angle, r.pdf);
+  r.valid = select(near, a * a + b * b <= Real(1), r.valid);
   return r;
 }
 
 inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t) {
-  const SphericalRectangle q = square_around(s, from);
-  return select(disc_is_near(s, from, q), Real(1) / q.solid_angle,
-                solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d))));
+  const Real by_area = solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d)));
+  const Mask near = disc_may_be_near(s, from);
+  if (none(near)) return by_area;
+  const Real solid_angle = square_around(s, from).solid_angle;
+  return select(near && solid_angle > Real(kMinSolidAngle), Real(1) / solid_angle, by_area);
 }
 
 LIGHTBENCH_KERNEL_END
