@@ -26,7 +26,7 @@ inline NearestHit no_hit(Real t_max) { return {t_max, Int(kNoHit), Int(0U), Real
 
 /// Interval of solid primitive i (not a mesh).
 inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
-  const UniformRow row{scene.rows + scene.row[i]};
+  const Row row{scene.rows + scene.row[i]};
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:
       return hit_sphere(sphere_at(row, ray.time), ray);
@@ -47,7 +47,7 @@ inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const
 template <bool kShadow>
 void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
                     NearestHit& hit) {
-  const UniformRow row{scene.rows + scene.row[i]};
+  const Row row{scene.rows + scene.row[i]};
   const Mask self = ray.from == Int(i);
   const Mask target = kShadow ? ray.skip == Int(i) : Mask(false);
   const auto report = [&](Real t, Mask m) {
@@ -320,53 +320,43 @@ void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHi
   hit = {load(t), load(primitive), load(slot), load(b1), load(b2)};
 }
 
-/// Surface of each active lane's hit.
-inline Surface surface_at(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
-                          Mask active, bool with_uv) {
-  Surface s;
-  s.p = s.ng = s.ns = s.tangent = Vec(Real(0));
-  const Int primitive = select(active, hit.primitive, Int(0U));
-  const Int kind = gather(scene.kind, primitive);
-  const LaneRow row{scene.rows, gather(scene.row, primitive)};
-  const auto merge = [&](Mask m, const Surface& r) {
-    s.p = select(m, r.p, s.p);
-    s.ng = select(m, r.ng, s.ng);
-    s.ns = select(m, r.ns, s.ns);
-    s.tangent = select(m, r.tangent, s.tangent);
-    s.u = select(m, r.u, s.u);
-    s.v = select(m, r.v, s.v);
-  };
-  const auto wanted = [&](PrimitiveKind k, Mask& m) {
-    const auto value = static_cast<std::uint32_t>(k);
-    if ((scene.surface_kinds >> value & 1U) == 0) return false;
-    m = active && kind == Int(value);
-    return any(m);
-  };
-  Mask m;
-  if (wanted(PrimitiveKind::Rectangle, m))
-    merge(m, surface_rectangle(rectangle_at(row), ray, hit.t));
-  if (wanted(PrimitiveKind::Box, m)) merge(m, surface_box(box_at(row), ray, hit.t));
-  if (wanted(PrimitiveKind::Sphere, m)) {
-    merge(m, surface_sphere(sphere_at(row, ray.time), ray, hit.t, with_uv));
+/// Surface of the hits on primitive i; meaningful in the active lanes, all of which hit it.
+inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i, const Ray& ray,
+                          const NearestHit& hit, Mask active, bool with_uv) {
+  const Row row{scene.rows + scene.row[i]};
+  switch (static_cast<PrimitiveKind>(scene.kind[i])) {
+    case PrimitiveKind::Sphere:
+      return surface_sphere(sphere_at(row, ray.time), ray, hit.t, with_uv);
+    case PrimitiveKind::Ellipsoid:
+      return surface_ellipsoid(ellipsoid_at(row, ray.time), ray, hit.t, with_uv);
+    case PrimitiveKind::Cylinder:
+      return surface_cylinder(cylinder_at(row), ray, hit.t, with_uv);
+    case PrimitiveKind::EllipticCylinder:
+      return surface_elliptic_cylinder(elliptic_cylinder_at(row), ray, hit.t, with_uv);
+    case PrimitiveKind::Disc:
+      return surface_disc(disc_at(row), ray, hit.t, with_uv);
+    case PrimitiveKind::Rectangle:
+      return surface_rectangle(rectangle_at(row), ray, hit.t);
+    case PrimitiveKind::Triangle:
+      return surface_triangle(triangle_at(row), hit.b1, hit.b2);
+    case PrimitiveKind::Pyramid:
+      return surface_pyramid(pyramid_at(row), ray, hit.t);
+    case PrimitiveKind::Box:
+      return surface_box(box_at(row), ray, hit.t);
+    case PrimitiveKind::Mesh:
+      break;
   }
-  if (wanted(PrimitiveKind::Cylinder, m)) {
-    merge(m, surface_cylinder(cylinder_at(row), ray, hit.t, with_uv));
-  }
-  if (wanted(PrimitiveKind::Disc, m)) merge(m, surface_disc(disc_at(row), ray, hit.t, with_uv));
-  if (wanted(PrimitiveKind::Pyramid, m)) merge(m, surface_pyramid(pyramid_at(row), ray, hit.t));
-  if (wanted(PrimitiveKind::Triangle, m))
-    merge(m, surface_triangle(triangle_at(row), hit.b1, hit.b2));
-  if (wanted(PrimitiveKind::Ellipsoid, m)) {
-    merge(m, surface_ellipsoid(ellipsoid_at(row, ray.time), ray, hit.t, with_uv));
-  }
-  if (wanted(PrimitiveKind::EllipticCylinder, m)) {
-    merge(m, surface_elliptic_cylinder(elliptic_cylinder_at(row), ray, hit.t, with_uv));
-  }
-  if (wanted(PrimitiveKind::Mesh, m)) {
-    merge(m, surface_mesh(mesh_at(row), fetch_triangle(scene, primitive, hit.slot, m), hit.b1,
-                          hit.b2));
-  }
-  return s;
+  return surface_mesh(mesh_at(row), fetch_triangle(mesh_of(scene, i), hit.slot, active), hit.b1,
+                      hit.b2);
+}
+
+inline void merge(Mask m, const Surface& from, Surface& into) {
+  into.p = select(m, from.p, into.p);
+  into.ng = select(m, from.ng, into.ng);
+  into.ns = select(m, from.ns, into.ns);
+  into.tangent = select(m, from.tangent, into.tangent);
+  into.u = select(m, from.u, into.u);
+  into.v = select(m, from.v, into.v);
 }
 
 LIGHTBENCH_KERNEL_END

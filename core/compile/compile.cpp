@@ -53,7 +53,6 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   const GeometryPart<T>& g = *p.geometry;
   v = {};
   v.surface_count = g.surface_count;
-  v.surface_kinds = g.surface_kinds;
   v.kind = g.kind.data();
   v.row = g.row.data();
   v.rows = g.rows.data();
@@ -72,7 +71,6 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.images = p.textures->images.data();
   v.first_light = p.lights->first_of_primitive.data();
   v.light_count = static_cast<std::uint32_t>(p.lights->primitive.size());
-  v.light_kinds = p.lights->kinds;
   v.light_primitive = p.lights->primitive.data();
   v.light_slot = p.lights->slot.data();
   v.light_pmf = p.lights->pmf.data();

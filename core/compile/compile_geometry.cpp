@@ -164,7 +164,6 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
         static_cast<T>(ulp * (c.kind == PrimitiveKind::Mesh ? kMeshUlps : kShapeUlps)));
     if (!c.surface) continue;
     ++part->surface_count;
-    part->surface_kinds |= 1U << static_cast<unsigned>(c.kind);
     has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
     const auto at = [&](double time) {
       return padded_box(

@@ -108,7 +108,6 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
     const glm::dvec3 e = emission(m);
     const double radiance = glm::dot(e, glm::dvec3(0.2126, 0.7152, 0.0722)) * (m.two_sided ? 2 : 1);
     part->first_of_primitive.back() = static_cast<std::uint32_t>(part->primitive.size());
-    part->kinds |= 1U << geometry.kind[i];
     if (geometry.kind[i] != static_cast<std::uint32_t>(PrimitiveKind::Mesh)) {
       add(i, 0, radiance * geometry.area[i]);
       continue;

@@ -34,7 +34,6 @@ struct GeometryPart {
   RenderSpace space;
   double shutter_open = 0, shutter_close = 1;
   std::uint32_t surface_count = 0;
-  std::uint32_t surface_kinds = 0;
   bool moving = false;
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;
@@ -59,7 +58,6 @@ struct LightPart {
   std::vector<std::uint32_t> first_of_primitive;
   std::vector<std::uint32_t> primitive, slot, alias_other;
   std::vector<T> pmf, alias_threshold;
-  std::uint32_t kinds = 0;
 };
 
 template <class T>

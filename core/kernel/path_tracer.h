@@ -147,7 +147,8 @@ inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, cons
 /// Where the paths scatter next: a surface point or a point in a medium.
 struct Vertex {
   Surface surface;
-  Material material;
+  Material material;  ///< textures applied
+  Vec object_point;   ///< the surface point in object space; only where solid textures are used
   Vec wo;
   Vec ng, n;   ///< geometric and shading normal on the side of wo
   Mask front;  ///< wo is outside
@@ -156,6 +157,33 @@ struct Vertex {
   Real offset;
 };
 
+/// Surface and material of the hits, with textures.
+inline void find_surface(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
+                         Mask active, Vertex& v) {
+  v.surface.p = v.surface.ng = v.surface.ns = v.surface.tangent = v.object_point = Vec(Real(0));
+  v.material = black_material();
+  v.offset = Real(0);
+  for_each_distinct(hit.primitive, active, [&](std::uint32_t i, Mask m) {
+    merge(m, surface_of(scene, i, ray, hit, m, scene.needs_uv), v.surface);
+    merge(m, material_at(scene.materials + std::size_t{scene.material[i]} * kMaterialStride),
+          v.material);
+    v.offset = select(m, Real(scene.offset[i]), v.offset);
+    if (scene.to_object != nullptr) {
+      const Affine to_object = affine_at({scene.to_object + std::size_t{12} * i}, 0);
+      v.object_point = select(m, to_object.point(v.surface.p), v.object_point);
+    }
+  });
+  const auto apply = [&](Int texture, Vec& color) {
+    const Mask textured = active && texture != Int(kNoTexture);
+    if (none(textured)) return;
+    const Vec value =
+        eval_texture(scene, texture, v.surface.u, v.surface.v, v.object_point, textured);
+    color = select(textured, color * value, color);
+  };
+  if (scene.has_textures) apply(v.material.base_color_texture, v.material.base_color);
+  if (scene.has_emission_textures) apply(v.material.emission_texture, v.material.emission);
+}
+
 /// Power heuristic for a strategy of density a against one of density b.
 inline Real power_heuristic(Real a, Real b) {
   // In ratio form, which cannot overflow.
@@ -163,28 +191,33 @@ inline Real power_heuristic(Real a, Real b) {
   return Real(1) / fma(r, r, Real(1));
 }
 
-/// Emission of the surface towards wo, textures applied.
-inline Vec emitted_radiance(const SceneView<T>& scene, const LaneRow& material, const Surface& s,
-                            Mask front, Vec object_point, Mask active) {
-  const Mask facing = active && (front || material[12] > Real(0));
-  Vec e = select(facing, vec_at(material, 8), Vec(Real(0)));
+/// Radiance that the sampled lights send back along -s.d.
+inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const LightSample& s,
+                          const Ray& shadow) {
+  const Mask front = dot(s.n, s.d) < Real(0);
   if (scene.has_emission_textures) {
-    const Real texture = material[11];
-    const Mask textured = facing && texture >= Real(0);
-    if (any(textured)) {
-      const Vec value =
-          eval_texture(scene, to_int(max(texture, Real(0))), s.u, s.v, object_point, textured);
-      e = select(textured, e * value, e);
-    }
+    NearestHit hit{s.distance, place.primitive, place.slot, Real(0), Real(0)};
+    // Triangles take their uv from barycentrics, which the test itself gives.
+    for_each_distinct(place.primitive, s.valid, [&](std::uint32_t i, Mask m) {
+      const auto kind = static_cast<PrimitiveKind>(scene.kind[i]);
+      if (kind != PrimitiveKind::Triangle && kind != PrimitiveKind::Mesh) return;
+      const Triangle t = kind == PrimitiveKind::Mesh ? mesh_light(scene, i, place.slot, m).triangle
+                                                     : triangle_at({scene.rows + scene.row[i]});
+      const TriangleHit h = hit_triangle(t, shadow);
+      hit.b1 = select(m, h.b1, hit.b1);
+      hit.b2 = select(m, h.b2, hit.b2);
+    });
+    Vertex v;
+    find_surface(scene, shadow, hit, s.valid, v);
+    return select(s.valid && (front || v.material.two_sided), v.material.emission, Vec(Real(0)));
   }
-  return e;
-}
-
-/// The point in the object's own space, where solid textures live.
-inline Vec object_point(const SceneView<T>& scene, Int primitive, Vec p, Mask active) {
-  if (scene.to_object == nullptr) return p;
-  const LaneRow row{scene.to_object, select(active, primitive, Int(0U)) * Int(12U)};
-  return affine_at(row, 0).point(p);
+  Vec emission(Real(0));
+  for_each_distinct(place.primitive, s.valid, [&](std::uint32_t i, Mask m) {
+    const Row row{scene.materials + std::size_t{scene.material[i]} * kMaterialStride};
+    const Mask facing = m && (front || Mask(row.base[12] > T(0)));
+    emission = select(facing, row.vec(8), emission);
+  });
+  return emission;
 }
 
 /// One light sample from each vertex of `active`, added to the paths' radiance.
@@ -205,38 +238,10 @@ inline void add_direct_light(const SceneView<T>& scene, const Vertex& v, const F
     value.pdf = select(v.in_medium, value.pdf, f.pdf);
   }
 
-  const Int material_index = gather(scene.material, select(s.valid, place.primitive, Int(0U)));
-  const LaneRow material{scene.materials, material_index * Int(kMaterialStride)};
-  const Mask light_front = dot(s.n, s.d) < Real(0);
   Ray shadow = paths.ray;
   shadow.o = v.reflect_from;
   shadow.d = s.d;
-  Surface light_surface;
-  light_surface.p = madd(s.d, s.distance, shadow.o);
-  if (scene.has_emission_textures) {
-    NearestHit hit{s.distance, select(s.valid, place.primitive, Int(0U)), place.slot, Real(0),
-                   Real(0)};
-    // Triangles find their uv by barycentrics; let the test itself give them.
-    if ((scene.light_kinds >> static_cast<unsigned>(PrimitiveKind::Triangle) & 1U) != 0) {
-      const LaneRow row{scene.rows, gather(scene.row, hit.primitive)};
-      const TriangleHit h = hit_triangle(triangle_at(row), shadow);
-      hit.b1 = h.b1;
-      hit.b2 = h.b2;
-    }
-    if ((scene.light_kinds >> static_cast<unsigned>(PrimitiveKind::Mesh) & 1U) != 0) {
-      const LaneRow row{scene.rows, gather(scene.row, hit.primitive)};
-      const Mask mesh = s.valid && gather(scene.kind, hit.primitive) ==
-                                       Int(static_cast<std::uint32_t>(PrimitiveKind::Mesh));
-      const TriangleHit h =
-          hit_triangle(mesh_light(scene, row, hit.primitive, place.slot, mesh).triangle, shadow);
-      hit.b1 = select(mesh, h.b1, hit.b1);
-      hit.b2 = select(mesh, h.b2, hit.b2);
-    }
-    light_surface = surface_at(scene, shadow, hit, s.valid, true);
-  }
-  const Vec emission =
-      emitted_radiance(scene, material, light_surface, light_front,
-                       object_point(scene, place.primitive, light_surface.p, s.valid), s.valid);
+  const Vec emission = light_radiance(scene, place, s, shadow);
 
   const Real pdf = s.pdf * chosen.pmf;
   const Real weight = power_heuristic(pdf, value.pdf) / pdf;
@@ -247,7 +252,7 @@ inline void add_direct_light(const SceneView<T>& scene, const Vertex& v, const F
   shadow.inside = false;
   shadow.skip = place.primitive;
   shadow.skip_slot = place.slot;
-  shadow.skip_back = !light_front;
+  shadow.skip_back = dot(s.n, s.d) >= Real(0);
   // Both ends are kept apart from their surfaces by identity and by the offset; the margin only
   // covers the rounding of the distance itself, for surfaces that touch the light.
   const Real t_max = s.distance * (T(1) - 16 * kEpsilon);
@@ -261,12 +266,10 @@ inline void add_direct_light(const SceneView<T>& scene, const Vertex& v, const F
 }
 
 /// Emission met by the paths' own rays, weighted against light sampling.
-inline void add_emission(const SceneView<T>& scene, const Vertex& v, const LaneRow& material,
-                         const NearestHit& hit, Paths& paths) {
-  const Vec emission =
-      emitted_radiance(scene, material, v.surface, v.front,
-                       object_point(scene, hit.primitive, v.surface.p, v.on_surface), v.on_surface);
-  const Mask bright = v.on_surface && max_component(emission) > Real(0);
+inline void add_emission(const SceneView<T>& scene, const Vertex& v, const NearestHit& hit,
+                         Paths& paths) {
+  const Mask bright = v.on_surface && (v.front || v.material.two_sided) &&
+                      max_component(v.material.emission) > Real(0);
   if (none(bright)) return;
   Real weight(1);
   const Mask sampled = bright && paths.pdf > Real(0);
@@ -282,8 +285,8 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const LaneR
                                paths.ray.d, hit.t, v.surface.ng, known);
     weight = select(known, power_heuristic(paths.pdf, pdf), weight);
   }
-  paths.radiance =
-      select(bright, madd(paths.throughput * emission, weight, paths.radiance), paths.radiance);
+  paths.radiance = select(
+      bright, madd(paths.throughput * v.material.emission, weight, paths.radiance), paths.radiance);
 }
 
 /// Advances every live path by one vertex.
@@ -317,29 +320,14 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
   }
 
   v.wo = -paths.ray.d;
-  v.surface = surface_at(scene, paths.ray, hit, v.on_surface, scene.needs_uv);
+  find_surface(scene, paths.ray, hit, v.on_surface, v);
   v.front = dot(v.wo, v.surface.ng) > Real(0);
   v.ng = select(v.front, v.surface.ng, -v.surface.ng);
   v.n = select(v.front, v.surface.ns, -v.surface.ns);
   // An interpolated normal that looks away from the viewer cannot shade; the geometric one can.
   v.n = select(dot(v.n, v.wo) > Real(0), v.n, v.ng);
-  const Int primitive = select(v.on_surface, hit.primitive, Int(0U));
-  const LaneRow material{scene.materials, gather(scene.material, primitive) * Int(kMaterialStride)};
-  v.material = {to_int(material[0]), vec_at(material, 1), material[5], material[6], material[7]};
-  if (scene.has_textures) {
-    const Real texture = material[4];
-    const Mask textured = v.on_surface && texture >= Real(0);
-    if (any(textured)) {
-      const Vec value =
-          eval_texture(scene, to_int(max(texture, Real(0))), v.surface.u, v.surface.v,
-                       object_point(scene, primitive, v.surface.p, textured), textured);
-      v.material.base_color =
-          select(textured, v.material.base_color * value, v.material.base_color);
-    }
-  }
-  if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, material, hit, paths);
+  if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, hit, paths);
 
-  v.offset = gather(scene.offset, primitive);
   v.reflect_from = madd(v.ng, v.offset, v.surface.p);
   if (scene.medium_count > 0) {
     const Vec p = madd(paths.ray.d, medium.t, paths.ray.o);

@@ -91,10 +91,7 @@ struct SceneView {
   const T* textures = nullptr;
   const ImageView* images = nullptr;  ///< by texture
 
-  std::uint32_t surface_kinds = 0;  ///< bit per PrimitiveKind among surfaces
-
   std::uint32_t light_count = 0;
-  std::uint32_t light_kinds = 0;  ///< bit per PrimitiveKind among lights
   const std::uint32_t* light_primitive = nullptr;
   const std::uint32_t* light_slot = nullptr;  ///< triangle slot of a mesh light
   const T* light_pmf = nullptr;

@@ -61,19 +61,26 @@ struct Frame {
   [[nodiscard]] Vec to_local(Vec v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
 };
 
-/// A row of a table of T: either the same row for all lanes (a broadcast) or one row per lane.
-struct UniformRow {
+/// A row of a table of T, the same for all lanes.
+struct Row {
   const T* base;
   Real operator[](unsigned i) const { return Real(base[i]); }
+  [[nodiscard]] Vec vec(unsigned i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
 };
-struct LaneRow {
-  const T* base;
-  Int offset;
-  Real operator[](unsigned i) const { return gather(base, offset + Int(i)); }
-};
-template <class Row>
-Vec vec_at(const Row& row, unsigned i) {
-  return {row[i], row[i + 1], row[i + 2]};
+
+/// Calls f(value, lanes) once for each distinct value of `id` among the active lanes: what follows
+/// then reads tables with plain loads and branches on plain numbers. Gathering one row per lane
+/// instead cost twice the time of the whole step on AVX2 (docs/performance.md).
+template <class F>
+void for_each_distinct(Int id, Mask active, F f) {
+  alignas(64) std::uint32_t ids[kLanes];
+  store(ids, id);
+  for (std::uint32_t rest = bits(active); rest != 0;) {
+    const std::uint32_t value = ids[__builtin_ctz(rest)];
+    const Mask lanes = active && id == Int(value);
+    rest &= ~bits(lanes);
+    f(value, lanes);
+  }
 }
 
 /// 3x4 matrix, row major, 12 entries.
@@ -86,12 +93,8 @@ struct Affine {
   /// Transpose of the linear part: normals go to world by the inverse map's transpose.
   [[nodiscard]] Vec transposed(Vec n) const { return madd(r0, n.x, madd(r1, n.y, r2 * n.z)); }
 };
-template <class Row>
-Affine affine_at(const Row& row, unsigned i) {
-  return {vec_at(row, i),
-          vec_at(row, i + 4),
-          vec_at(row, i + 8),
-          {row[i + 3], row[i + 7], row[i + 11]}};
+inline Affine affine_at(const Row& row, unsigned i) {
+  return {row.vec(i), row.vec(i + 4), row.vec(i + 8), {row[i + 3], row[i + 7], row[i + 11]}};
 }
 
 LIGHTBENCH_KERNEL_END

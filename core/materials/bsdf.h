@@ -10,14 +10,52 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// The material of each lane's surface, textures applied. A row of the material table is
+/// The material of each lane's surface. A row of the material table is
 ///   0 kind, 1..3 base colour, 4 its texture (-1 none), 5 fuzz, 6 GGX alpha, 7 ior,
 ///   8..10 emission, 11 its texture (-1 none), 12 two-sided.
 struct Material {
   Int kind;
   Vec base_color;
   Real fuzz, alpha, ior;
+  Vec emission;
+  Mask two_sided;
+  Int base_color_texture, emission_texture;  ///< kNoTexture for none
 };
+inline constexpr std::uint32_t kNoTexture = 0xffffffffU;
+
+inline Material material_at(const T* row) {
+  const auto texture = [](T index) {
+    return index < T(0) ? kNoTexture : static_cast<std::uint32_t>(index);
+  };
+  const Row r{row};
+  return {Int(static_cast<std::uint32_t>(row[0])),
+          r.vec(1),
+          r[5],
+          r[6],
+          r[7],
+          r.vec(8),
+          Mask(row[12] > T(0)),
+          Int(texture(row[4])),
+          Int(texture(row[11]))};
+}
+
+/// Reflects and emits nothing.
+inline Material black_material() {
+  return {Int(0U),      Vec(Real(0)), Real(0),         Real(0),        Real(1),
+          Vec(Real(0)), Mask(false),  Int(kNoTexture), Int(kNoTexture)};
+}
+
+inline void merge(Mask m, const Material& from, Material& into) {
+  into.kind = select(m, from.kind, into.kind);
+  into.base_color = select(m, from.base_color, into.base_color);
+  into.fuzz = select(m, from.fuzz, into.fuzz);
+  into.alpha = select(m, from.alpha, into.alpha);
+  into.ior = select(m, from.ior, into.ior);
+  into.emission = select(m, from.emission, into.emission);
+  into.two_sided = select(m, from.two_sided, into.two_sided);
+  into.base_color_texture = select(m, from.base_color_texture, into.base_color_texture);
+  into.emission_texture = select(m, from.emission_texture, into.emission_texture);
+}
 
 /// Value and density of a pair of directions.
 struct BsdfValue {

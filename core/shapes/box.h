@@ -12,9 +12,8 @@ struct Box {
   Vec center, axis[3], half;
 };
 
-template <class Row>
-Box box_at(const Row& row) {
-  return {vec_at(row, 0), {vec_at(row, 3), vec_at(row, 6), vec_at(row, 9)}, vec_at(row, 12)};
+inline Box box_at(const Row& row) {
+  return {row.vec(0), {row.vec(3), row.vec(6), row.vec(9)}, row.vec(12)};
 }
 
 inline Vec to_box(const Box& s, Vec v) {

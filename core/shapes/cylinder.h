@@ -14,9 +14,8 @@ struct Cylinder {
   Real half, radius;
 };
 
-template <class Row>
-Cylinder cylinder_at(const Row& row) {
-  return {vec_at(row, 0), vec_at(row, 3), vec_at(row, 6), row[9], row[10]};
+inline Cylinder cylinder_at(const Row& row) {
+  return {row.vec(0), row.vec(3), row.vec(6), row[9], row[10]};
 }
 
 /// Which part of the surface an end of the interval lies on.
@@ -137,8 +136,7 @@ struct EllipticCylinder {
   Real determinant;
 };
 
-template <class Row>
-EllipticCylinder elliptic_cylinder_at(const Row& row) {
+inline EllipticCylinder elliptic_cylinder_at(const Row& row) {
   return {affine_at(row, 0), affine_at(row, 12), row[24]};
 }
 

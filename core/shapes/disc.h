@@ -12,10 +12,7 @@ struct Disc {
   Vec center, n, u, v;  ///< u x v points along n
 };
 
-template <class Row>
-Disc disc_at(const Row& row) {
-  return {vec_at(row, 0), vec_at(row, 3), vec_at(row, 6), vec_at(row, 9)};
-}
+inline Disc disc_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6), row.vec(9)}; }
 
 /// Ray parameter at the plane through `point`; a parallel ray misses.
 inline PlaneHit hit_plane(Vec point, Vec n, const Ray& ray) {
@@ -60,8 +57,8 @@ inline SphericalRectangle square_around(const Disc& s, Vec from) {
 
 inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
 
-/// Beyond this many (larger) radii the disc is sampled by area: misses would cost more than the square
-/// gains.
+/// Beyond this many (larger) radii the disc is sampled by area: misses would cost more than the
+/// square gains.
 inline constexpr T kDiscNear = T(1.5);
 
 inline Mask disc_may_be_near(const Disc& s, Vec from) {
@@ -71,8 +68,8 @@ inline Mask disc_may_be_near(const Disc& s, Vec from) {
 
 inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
   const Vec2 k = square_to_disk(u);
-  LightSample r = toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n,
-                               Real(1) / area_of_disc(s));
+  LightSample r =
+      toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n, Real(1) / area_of_disc(s));
   Mask near = disc_may_be_near(s, from);
   if (none(near)) return r;
   const SphericalRectangle q = square_around(s, from);

@@ -11,41 +11,30 @@ struct MeshInstance {
   Affine to_local, to_world;
 };
 
-template <class Row>
-MeshInstance mesh_at(const Row& row) {
-  return {affine_at(row, 0), affine_at(row, 12)};
-}
+inline MeshInstance mesh_at(const Row& row) { return {affine_at(row, 0), affine_at(row, 12)}; }
 
-/// One triangle of a mesh per lane, fetched lane by lane because meshes do not share an array.
+/// One triangle of a mesh per lane.
 struct MeshTriangle {
   Triangle vertices;  ///< mesh space
-  Vec normals[3];     ///< zero where the mesh has none
+  Vec normals[3];     ///< all zero if the mesh has none
   Vec2 uvs[3];
-  Mask has_normals, has_uvs;
+  bool has_uvs;
 };
 
-inline MeshTriangle fetch_triangle(const SceneView<T>& scene, Int primitive, Int slot,
-                                   Mask active) {
-  alignas(64) std::uint32_t prim[kLanes], tri[kLanes];
+inline MeshTriangle fetch_triangle(const MeshView<T>& mesh, Int slot, Mask active) {
+  alignas(64) std::uint32_t slots[kLanes];
   alignas(64) T v[9][kLanes] = {}, n[9][kLanes] = {}, uv[6][kLanes] = {};
-  store(prim, primitive);
-  store(tri, slot);
-  std::uint32_t with_normals = 0, with_uvs = 0;
+  store(slots, slot);
   for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-    const auto index =
-        static_cast<std::uint32_t>(scene.rows[scene.row[prim[lane]] + MeshInstance::kRow]);
-    const MeshView<T>& mesh = scene.meshes[index];
-    const TriangleBlock<T>& block = mesh.blocks[tri[lane] / kBvhWidth];
-    const std::uint32_t column = tri[lane] % kBvhWidth;
+    const TriangleBlock<T>& block = mesh.blocks[slots[lane] / kBvhWidth];
+    const std::uint32_t column = slots[lane] % kBvhWidth;
     for (unsigned k = 0; k < 9; ++k) v[k][lane] = block.v[k][column];
-    if (mesh.normals != nullptr) {
-      with_normals |= 1U << lane;
-      for (unsigned k = 0; k < 9; ++k) n[k][lane] = mesh.normals[std::size_t{9} * tri[lane] + k];
+    for (unsigned k = 0; k < 9 && mesh.normals != nullptr; ++k) {
+      n[k][lane] = mesh.normals[std::size_t{9} * slots[lane] + k];
     }
-    if (mesh.uvs != nullptr) {
-      with_uvs |= 1U << lane;
-      for (unsigned k = 0; k < 6; ++k) uv[k][lane] = mesh.uvs[std::size_t{6} * tri[lane] + k];
+    for (unsigned k = 0; k < 6 && mesh.uvs != nullptr; ++k) {
+      uv[k][lane] = mesh.uvs[std::size_t{6} * slots[lane] + k];
     }
   }
   const auto vec = [](const T(&a)[9][kLanes], unsigned i) {
@@ -57,8 +46,7 @@ inline MeshTriangle fetch_triangle(const SceneView<T>& scene, Int primitive, Int
     r.normals[i] = vec(n, 3 * i);
     r.uvs[i] = {load(uv[2 * i]), load(uv[2 * i + 1])};
   }
-  r.has_normals = mask_from_bits(with_normals);
-  r.has_uvs = mask_from_bits(with_uvs);
+  r.has_uvs = mesh.uvs != nullptr;
   return r;
 }
 
@@ -77,10 +65,10 @@ inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b
   const Vec shading = madd(t.normals[0], b0, madd(t.normals[1], b1, t.normals[2] * b2));
   const Vec ns = m.to_local.transposed(shading);
   const Real squared = length_squared(ns);
-  r.ns = select(t.has_normals && squared > Real(0),
+  r.ns = select(squared > Real(0),
                 ns * (Real(1) / sqrt(select(squared > Real(0), squared, Real(1)))), r.ng);
-  r.u = select(t.has_uvs, fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)), b1);
-  r.v = select(t.has_uvs, fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)), b2);
+  r.u = t.has_uvs ? fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)) : b1;
+  r.v = t.has_uvs ? fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)) : b2;
   r.tangent = normalize(m.to_world.vector(e1));
   return r;
 }

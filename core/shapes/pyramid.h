@@ -18,12 +18,11 @@ struct Pyramid {
   Real area;
 };
 
-template <class Row>
-Pyramid pyramid_at(const Row& row) {
+inline Pyramid pyramid_at(const Row& row) {
   Pyramid s;
-  s.v0 = vec_at(row, 0);
-  for (unsigned i = 0; i < 3; ++i) s.edge[i] = vec_at(row, 3 + 3 * i);
-  for (unsigned i = 0; i < 4; ++i) s.n[i] = vec_at(row, 12 + 3 * i);
+  s.v0 = row.vec(0);
+  for (unsigned i = 0; i < 3; ++i) s.edge[i] = row.vec(3 + 3 * i);
+  for (unsigned i = 0; i < 4; ++i) s.n[i] = row.vec(12 + 3 * i);
   s.h0 = row[24];
   s.cumulative_area[0] = row[25];
   s.cumulative_area[1] = row[26];

@@ -13,10 +13,8 @@ struct Rectangle {
   Vec dual_u, dual_v;   ///< dual_u . (p - corner) is the first coordinate
 };
 
-template <class Row>
-Rectangle rectangle_at(const Row& row) {
-  return {vec_at(row, 0), vec_at(row, 3),  vec_at(row, 6),
-          vec_at(row, 9), vec_at(row, 12), vec_at(row, 15)};
+inline Rectangle rectangle_at(const Row& row) {
+  return {row.vec(0), row.vec(3), row.vec(6), row.vec(9), row.vec(12), row.vec(15)};
 }
 
 inline PlaneHit hit_rectangle(const Rectangle& s, const Ray& ray) {

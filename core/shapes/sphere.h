@@ -15,9 +15,8 @@ struct Sphere {
 };
 
 /// At each ray's time.
-template <class Row>
-Sphere sphere_at(const Row& row, Real time) {
-  return {madd(vec_at(row, 4), time, vec_at(row, 0)), row[3], vec_at(row, 7), vec_at(row, 10)};
+inline Sphere sphere_at(const Row& row, Real time) {
+  return {madd(row.vec(4), time, row.vec(0)), row[3], row.vec(7), row.vec(10)};
 }
 
 /// Ray from f (relative to the centre) along d with 1/d.d given. The discriminant comes from the
@@ -122,9 +121,8 @@ struct Ellipsoid {
   Real determinant;  ///< |det| of to_world
 };
 
-template <class Row>
-Ellipsoid ellipsoid_at(const Row& row, Real time) {
-  return {affine_at(row, 0), affine_at(row, 12), vec_at(row, 24) * time, row[27]};
+inline Ellipsoid ellipsoid_at(const Row& row, Real time) {
+  return {affine_at(row, 0), affine_at(row, 12), row.vec(24) * time, row[27]};
 }
 
 inline Interval hit_ellipsoid(const Ellipsoid& e, const Ray& ray) {

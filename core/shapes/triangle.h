@@ -12,10 +12,7 @@ struct Triangle {
   Vec a, b, c;
 };
 
-template <class Row>
-Triangle triangle_at(const Row& row) {
-  return {vec_at(row, 0), vec_at(row, 3), vec_at(row, 6)};
-}
+inline Triangle triangle_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6)}; }
 
 /// Hit with barycentrics of the vertices b and c.
 struct TriangleHit {

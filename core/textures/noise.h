@@ -41,16 +41,13 @@ inline Real perlin_noise(Vec p, Int seed) {
 }
 
 /// |sum of octaves|, each twice the frequency and half the weight of the one before (the books'
-/// turbulence). `octaves` may differ per lane.
-inline Real turbulence(Vec p, Real octaves, Int seed, Mask active) {
-  Real sum(0), weight(1), done(0);
-  Mask running = active && done < octaves;
-  while (any(running)) {
-    sum = select(running, fma(weight, perlin_noise(p, seed), sum), sum);
+/// turbulence).
+inline Real turbulence(Vec p, int octaves, Int seed) {
+  Real sum(0), weight(1);
+  for (int i = 0; i < octaves; ++i) {
+    sum = fma(weight, perlin_noise(p, seed), sum);
     weight = weight * T(0.5);
     p = p * Real(2);
-    done = done + Real(1);
-    running = running && done < octaves;
   }
   return abs(sum);
 }

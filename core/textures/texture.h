@@ -57,55 +57,59 @@ inline void sample_image(const ImageView& image, T u, T v, std::uint32_t wrap, T
   }
 }
 
-/// Value of each lane's texture (`index`, ignored where !active) at uv and the object-space point
-/// p.
-inline Vec eval_texture(const SceneView<T>& scene, Int index, Real u, Real v, Vec p, Mask active) {
-  const LaneRow row{scene.textures, select(active, index, Int(0U)) * Int(kTextureStride)};
-  const Int kind = to_int(row[0]);
-  const Vec a = vec_at(row, 1), b = vec_at(row, 4);
+/// Value of texture i at uv and the object-space point p, in the active lanes.
+inline Vec texture_value(const SceneView<T>& scene, std::uint32_t i, Real u, Real v, Vec p,
+                         Mask active) {
+  const T* numbers = scene.textures + std::size_t{i} * kTextureStride;
+  const Row row{numbers};
+  const Vec a = row.vec(1), b = row.vec(4);
   const Real scale = row[7];
-  Vec result = a;
-  const Mask checker = active && kind == Int(texture_kind::kChecker);
-  if (any(checker)) {
-    const Mask in_uv = row[8] > Real(0);
-    const Vec q = select(in_uv, Vec{u, v, Real(0)}, p) * scale;
-    const Int parity = (to_int(floor(q.x)) + to_int(floor(q.y)) + to_int(floor(q.z))) & Int(1U);
-    result = select(checker && parity == Int(1U), b, result);
-  }
-  const Mask plain = active && kind == Int(texture_kind::kNoise);
-  const Mask turbulent = active && kind == Int(texture_kind::kTurbulence);
-  const Mask marble = active && kind == Int(texture_kind::kMarble);
-  const Int seed = to_int(row[10]);
-  if (any(plain)) {
-    const Real w = fma(perlin_noise(p * scale, seed), Real(T(0.5)), Real(T(0.5)));
-    result = select(plain, madd(b - a, clamp(w, Real(0), Real(1)), a), result);
-  }
-  if (any(turbulent || marble)) {
-    const Vec q = select(turbulent, p * scale, p);
-    const Real turb = turbulence(q, row[9], seed, turbulent || marble);
-    // The books' marble: stripes along z whose phase the turbulence shifts.
-    const Real stripes = fma(sin(fma(turb, Real(10), scale * p.z)), Real(T(0.5)), Real(T(0.5)));
-    const Real w = select(turbulent, min(turb, Real(1)), stripes);
-    result = select(turbulent || marble, madd(b - a, w, a), result);
-  }
-  const Mask image = active && kind == Int(texture_kind::kImage);
-  if (any(image)) {
-    alignas(64) T us[kLanes], vs[kLanes], rgb[3][kLanes] = {}, wraps[kLanes];
-    alignas(64) std::uint32_t which[kLanes];
-    store(us, u);
-    store(vs, v);
-    store(wraps, row[11]);
-    store(which, index);
-    for (std::uint32_t m = bits(image); m != 0; m &= m - 1) {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-      T texel[3];
-      sample_image(scene.images[which[lane]], us[lane], vs[lane],
-                   static_cast<std::uint32_t>(wraps[lane]), texel);
-      for (unsigned k = 0; k < 3; ++k) rgb[k][lane] = texel[k];
+  const Int seed(static_cast<std::uint32_t>(numbers[10]));
+  switch (static_cast<std::uint32_t>(numbers[0])) {
+    case texture_kind::kChecker: {
+      const Vec q = (numbers[8] > T(0) ? Vec{u, v, Real(0)} : p) * scale;
+      const Int parity = (to_int(floor(q.x)) + to_int(floor(q.y)) + to_int(floor(q.z))) & Int(1U);
+      return select(parity == Int(1U), b, a);
     }
-    result = select(image, Vec{load(rgb[0]), load(rgb[1]), load(rgb[2])}, result);
+    case texture_kind::kNoise: {
+      const Real w = fma(perlin_noise(p * scale, seed), Real(T(0.5)), Real(T(0.5)));
+      return madd(b - a, clamp(w, Real(0), Real(1)), a);
+    }
+    case texture_kind::kTurbulence: {
+      const Real w = turbulence(p * scale, static_cast<int>(numbers[9]), seed);
+      return madd(b - a, min(w, Real(1)), a);
+    }
+    case texture_kind::kMarble: {
+      // The books' marble: stripes along z whose phase the turbulence shifts.
+      const Real w = turbulence(p, static_cast<int>(numbers[9]), seed);
+      const Real stripes = fma(sin(fma(w, Real(10), scale * p.z)), Real(T(0.5)), Real(T(0.5)));
+      return madd(b - a, stripes, a);
+    }
+    case texture_kind::kImage: {
+      alignas(64) T us[kLanes], vs[kLanes], rgb[3][kLanes] = {};
+      store(us, u);
+      store(vs, v);
+      const auto wrap = static_cast<std::uint32_t>(numbers[11]);
+      for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
+        const auto lane = static_cast<unsigned>(__builtin_ctz(m));
+        T texel[3];
+        sample_image(scene.images[i], us[lane], vs[lane], wrap, texel);
+        for (unsigned k = 0; k < 3; ++k) rgb[k][lane] = texel[k];
+      }
+      return {load(rgb[0]), load(rgb[1]), load(rgb[2])};
+    }
+    default:
+      return a;
   }
-  return result;
+}
+
+/// Each active lane's own texture; 1 elsewhere.
+inline Vec eval_texture(const SceneView<T>& scene, Int index, Real u, Real v, Vec p, Mask active) {
+  Vec value(Real(1));
+  for_each_distinct(index, active, [&](std::uint32_t i, Mask m) {
+    value = select(m, texture_value(scene, i, u, v, p, m), value);
+  });
+  return value;
 }
 
 LIGHTBENCH_KERNEL_END
