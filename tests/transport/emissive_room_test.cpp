@@ -1,0 +1,90 @@
+// Closed rooms whose walls emit Le and reflect rho: every ray sees Le + rho Le + rho^2 Le + ...,
+// cut after max_depth segments. The whole of the transport (light sampling, its weights, depth,
+// roulette) in one number, from within every closed shape.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/transport/build_scene.h"
+#include "tests/transport/measure.h"
+
+namespace lightbench {
+namespace {
+
+class EmissiveRoom : public testing::TestWithParam<KernelUnderTest> {
+ protected:
+  static Material glowing(const glm::dvec3& albedo, double radiance) {
+    Material m = lambertian(albedo);
+    m.emissive = glm::dvec3(radiance);
+    m.two_sided = true;
+    return m;
+  }
+  /// Seen from within.
+  static Scene room(const Scene& shapes, const PlacedShape& placed, const glm::dvec3& albedo) {
+    Scene s = dark_scene();
+    s.meshes = shapes.meshes;
+    add(s, placed.shape, glowing(albedo, 0.75), placed.transform);
+    look(s, {0.05, 0.1, -0.08}, {1, -0.3, 0.5}, 100);
+    return s;
+  }
+};
+
+TEST_P(EmissiveRoom, ShowsTheGeometricSeries) {
+  Family family = GetParam().family();
+  const glm::dvec3 albedo(0.75, 0.5, 0.2);
+  Scene shapes;
+  for (const PlacedShape& placed : closed_shapes(shapes)) {
+    family.add(placed.name, 0.75 / (glm::dvec3(1) - albedo),
+               measure_uniform(room(shapes, placed, albedo), GetParam().kind, GetParam().spp(256)));
+  }
+  family.expect_agreement();
+}
+
+TEST_P(EmissiveRoom, MaxDepthIsTheNumberOfSegments) {
+  Family family = GetParam().family();
+  const double rho = 0.6;
+  Scene shapes;
+  const std::vector<PlacedShape> all = closed_shapes(shapes);
+  for (const PlacedShape& placed : {all[0], all[2], all[6]}) {
+    for (const int depth : {1, 2, 3, 5, 12}) {
+      for (const int roulette : {1, 4, 100}) {
+        Scene s = room(shapes, placed, glm::dvec3(rho));
+        s.render.max_depth = depth;
+        s.render.roulette_depth = roulette;
+        family.add(std::string(placed.name) + " depth " + std::to_string(depth) +
+                       " roulette from " + std::to_string(roulette),
+                   0.75 * (1 - std::pow(rho, depth)) / (1 - rho),
+                   measure_uniform(s, GetParam().kind, GetParam().spp(256)));
+      }
+    }
+  }
+  family.expect_agreement();
+}
+
+// Kirchhoff's law: where everything emits Le = 1 - rho times the radiance around it, or absorbs
+// nothing (the glass), nothing can be told from anything else.
+TEST_P(EmissiveRoom, ObjectsOfTheSameGlowDisappear) {
+  Family family = GetParam().family();
+  const glm::dvec3 albedo(0.5);
+  Scene shapes;
+  for (const PlacedShape& placed : closed_shapes(shapes)) {
+    Scene s = dark_scene();
+    s.meshes = shapes.meshes;
+    Transform small = placed.transform;
+    small.scale *= 0.4;
+    add(s, BoxShape{{-2, -1, -2}, {2, 2, 2}}, glowing(albedo, 1));
+    add(s, placed.shape, glowing(albedo, 1), small);
+    add(s, SphereShape{{1.2, 0, 0.5}, 0.4, {0, 0, 0}}, glass(1.5));
+    look(s, {1.5, 1.2, -1.7}, {0, 0, 0}, 60);
+    family.add(std::string("room with a ") + placed.name, 2,
+               measure_uniform(s, GetParam().kind, GetParam().spp(256)));
+  }
+  family.expect_agreement();
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, EmissiveRoom, testing::Values(kFastKernel, kReferenceKernel),
+                         testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace lightbench
