@@ -7,6 +7,7 @@ About TRIANGLES triangles (default 300000), 10 x 10 units in x and z, heights wi
 origin, normals included. It is made, not stored: 300000 triangles are 7.5 MB.
 """
 
+import argparse
 import array
 import math
 import sys
@@ -28,9 +29,11 @@ def point(x, z):
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit("usage: heightfield.py OUT.ply [TRIANGLES]")
-    cells = max(1, round(math.sqrt((int(sys.argv[2]) if len(sys.argv) == 3 else 300000) / 2)))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("out", metavar="OUT.ply")
+    parser.add_argument("triangles", metavar="TRIANGLES", type=int, nargs="?", default=300000)
+    arguments = parser.parse_args()
+    cells = max(1, round(math.sqrt(arguments.triangles / 2)))
     vertices, faces = array.array("f"), bytearray()
     for i in range(cells + 1):
         for j in range(cells + 1):
@@ -47,7 +50,7 @@ def main():
         "ply", f"format binary_{sys.byteorder}_endian 1.0", f"element vertex {(cells + 1) ** 2}",
         *(f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")),
         f"element face {2 * cells * cells}", "property list uchar int vertex_indices", "end_header", ""])
-    with open(sys.argv[1], "wb") as file:
+    with open(arguments.out, "wb") as file:
         file.write(header.encode("ascii") + vertices.tobytes() + faces)
 
 
