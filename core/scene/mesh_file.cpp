@@ -3,11 +3,14 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 
 #include "core/error.h"
@@ -22,6 +25,42 @@ constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
   throw Error(ErrorKind::Scene, file.string() + ": cannot be read: " + why);
 }
+
+/// Forwards to a stream, and gives up on an importer that reads past the end for ever: assimp's PLY
+/// reader does so when a header is cut off.
+class GuardedStream : public Assimp::IOStream {
+ public:
+  explicit GuardedStream(Assimp::IOStream* stream) : stream_(stream) {}
+
+  std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
+    const std::size_t got = stream_->Read(buffer, size, count);
+    if (got == 0 && ++empty_reads_ > kMostEmptyReads)
+      throw std::runtime_error("the file ends too early");
+    return got;
+  }
+  std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+  aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+    return stream_->Seek(offset, origin);
+  }
+  [[nodiscard]] std::size_t Tell() const override { return stream_->Tell(); }
+  [[nodiscard]] std::size_t FileSize() const override { return stream_->FileSize(); }
+  void Flush() override {}
+
+ private:
+  static constexpr int kMostEmptyReads = 1000;
+  std::unique_ptr<Assimp::IOStream> stream_;
+  int empty_reads_ = 0;
+};
+
+class GuardedFiles : public Assimp::DefaultIOSystem {
+ public:
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(name, ignored)) return nullptr;
+    Assimp::IOStream* stream = DefaultIOSystem::Open(name, mode);
+    return stream == nullptr ? nullptr : new GuardedStream(stream);  // Close() deletes it
+  }
+};
 
 glm::dvec3 to_vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -54,8 +93,6 @@ class MeshBuilder {
       if (face.mNumIndices != 3) continue;  // points and lines have no surface
       std::array<std::uint32_t, 3> triangle{};
       for (unsigned corner = 0; corner < 3; ++corner) {
-        if (face.mIndices[corner] >= part.mNumVertices)
-          throw std::runtime_error("a face names a vertex that is not there");
         triangle[corner] = vertex(part, face.mIndices[corner]);
       }
       mesh.triangles.push_back(triangle);
@@ -89,6 +126,20 @@ class MeshBuilder {
   std::unordered_map<Vertex, std::uint32_t, VertexHash> known_;
 };
 
+void check_faces(const std::filesystem::path& file, const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    const aiMesh& part = *scene.mMeshes[i];
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      if (face.mNumIndices == 0) fail(file, "a face has no vertices");
+      for (unsigned corner = 0; corner < face.mNumIndices; ++corner) {
+        if (face.mIndices[corner] >= part.mNumVertices)
+          fail(file, "a face names a vertex that is not there");
+      }
+    }
+  }
+}
+
 bool usable_normals(const aiMesh& part) {
   if (!part.HasNormals()) return false;
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
@@ -118,6 +169,7 @@ Mesh join(const aiScene& scene) {
 std::shared_ptr<const Mesh> load_mesh(const std::filesystem::path& file) {
   check_readable(file);
   Assimp::Importer importer;
+  importer.SetIOHandler(new GuardedFiles);  // owned by the importer
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_LINE | aiPrimitiveType_POINT);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -125,14 +177,15 @@ std::shared_ptr<const Mesh> load_mesh(const std::filesystem::path& file) {
                                   aiComponent_ANIMATIONS | aiComponent_TEXTURES |
                                   aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS |
                                   aiComponent_TANGENTS_AND_BITANGENTS);
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
-                                           aiProcess_Triangulate | aiProcess_SortByPType |
-                                           aiProcess_PreTransformVertices);
+  // The processing steps abort on faces that make no sense, so these are refused in between.
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  if (scene == nullptr) fail(file, importer.GetErrorString());
+  check_faces(file, *scene);
+  scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate |
+                                       aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (scene == nullptr) fail(file, importer.GetErrorString());
   try {
-    auto mesh = std::make_shared<const Mesh>(join(*scene));
-    return mesh;
+    return std::make_shared<const Mesh>(join(*scene));
   } catch (const std::exception& error) {
     fail(file, error.what());
   }

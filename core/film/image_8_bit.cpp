@@ -1,9 +1,7 @@
-// The formats that stb reads and writes: PNG and JPEG in, Radiance HDR in and out.
+// PNG and JPEG input through stb.
 
 #include <stb_image.h>
-#include <stb_image_write.h>
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -57,11 +55,6 @@ void decode_values(const T* values, Image& image, bool srgb) {
   for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = table[values[i]];
 }
 
-void append(void* context, void* data, int size) {
-  static_cast<std::string*>(context)->append(static_cast<const char*>(data),
-                                             static_cast<std::size_t>(size));
-}
-
 }  // namespace
 
 Image decode_8_bit(std::string_view bytes, bool srgb) {
@@ -80,27 +73,6 @@ Image decode_8_bit(std::string_view bytes, bool srgb) {
     decode_values(pixels.get(), image, srgb);
   }
   return image;
-}
-
-Image decode_hdr(std::string_view bytes) {
-  const StbInput input = open(bytes);
-  Image image;
-  int channels = 0;
-  const StbPixels<float> pixels(
-      stbi_loadf_from_memory(input.data, input.size, &image.width, &image.height, &channels, 3));
-  if (!pixels) fail();
-  image.rgb.assign(pixels.get(), pixels.get() + 3 * image.pixel_count());
-  return image;
-}
-
-std::string encode_hdr(const Image& image) {
-  // The format's shared exponent holds nothing negative and nothing above 2^127.
-  std::vector<float> rgb(image.rgb);
-  for (float& value : rgb) value = value > 0 ? std::min(value, 1e38F) : 0.0F;
-  std::string bytes;
-  if (stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, rgb.data()) == 0)
-    throw std::runtime_error("the HDR encoder failed");
-  return bytes;
 }
 
 }  // namespace lightbench
