@@ -59,7 +59,7 @@ void put_section(OrderedJson& json, const char* key, OrderedJson section) {
 }
 
 std::string relative_name(const std::string& file, const std::filesystem::path& directory) {
-  const auto from = std::filesystem::absolute(directory).lexically_normal();
+  const auto from = std::filesystem::absolute("." / directory).lexically_normal();
   const auto to = std::filesystem::absolute(file).lexically_normal();
   return to.lexically_relative(from).generic_string();
 }

@@ -57,13 +57,9 @@ Json parse_document(const std::string& text) {
   return Json::parse(text, watch);
 }
 
-/// Of a bare name: the current one.
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
 std::string absolute_name(const std::string& name, const std::filesystem::path& directory) {
-  return (std::filesystem::absolute(directory) / name).lexically_normal().string();
+  // "." for a bare scene name: its folder is the empty path, which absolute() refuses.
+  return (std::filesystem::absolute("." / directory) / name).lexically_normal().string();
 }
 
 /// Files that several assets name are loaded once, and their payload is shared.
@@ -134,11 +130,13 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& director
     throw Error(ErrorKind::Scene, one_line(label + ": " + error.what()));
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::Scene, label + ": does not fit in memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw Error(ErrorKind::Scene, one_line(label + ": " + error.what()));
   }
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse_scene(read_file(file), folder_of(file), file.string(), overrides);
+  return parse_scene(read_file(file), file.parent_path(), file.string(), overrides);
 }
 
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& directory) {
@@ -151,7 +149,7 @@ std::string scene_to_json(const Scene& scene, const std::filesystem::path& direc
 }
 
 void save_scene(const Scene& scene, const std::filesystem::path& file) {
-  replace_file(file, scene_to_json(scene, folder_of(file)));
+  replace_file(file, scene_to_json(scene, file.parent_path()));
 }
 
 std::shared_ptr<const Image> load_image(const std::filesystem::path& file, bool srgb) {

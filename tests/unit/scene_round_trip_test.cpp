@@ -198,6 +198,16 @@ TEST(SceneRoundTrip, SavingElsewhereStillFindsTheFiles) {
   EXPECT_NE(text.find("\"../../map.ppm\""), std::string::npos) << text;
 }
 
+TEST(SceneRoundTrip, ABareNameIsInTheCurrentFolder) {
+  const Fixture fixture;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(fixture.folder.path());
+  save_scene(fixture.scene, "bare.json");
+  const Scene loaded = load_scene("bare.json");
+  std::filesystem::current_path(before);
+  expect_equal(fixture.scene, loaded);
+}
+
 TEST(SceneRoundTrip, DefaultsAreLeftOut) {
   EXPECT_EQ(scene_to_json(Scene{}, "."), "{\"lightbench\": 1}\n");
   expect_equal(Scene{}, parse_scene(scene_to_json(Scene{}, "."), ".", "empty"));

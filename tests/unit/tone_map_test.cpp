@@ -76,7 +76,7 @@ TEST(ToneMap, NothingIsOutsideTheRange) {
     }
   }
   EXPECT_EQ(grey(std::numeric_limits<float>::quiet_NaN(), {}), 0);
-  EXPECT_EQ(grey(std::numeric_limits<float>::infinity(), {}), 1);
+  EXPECT_FLOAT_EQ(grey(std::numeric_limits<float>::infinity(), {}), 1);
 }
 
 TEST(ToneMap, BytesAreRoundedToNearestInOrder) {
