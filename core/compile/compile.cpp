@@ -20,18 +20,21 @@ bool geometry_stands(const GeometryPart<T>& g, const Scene& scene, Change change
          g.shutter_close == scene.camera.shutter_close && g.role == object_roles(scene);
 }
 
-/// Largest radiance that anything in the scene emits.
-double brightest(const Environment& e, double material) {
-  double m = material;
-  if (e.kind == EnvironmentKind::Image && e.image != nullptr) {
-    for (std::size_t i = 0; i < e.image->rgb.size(); ++i) {
-      m = std::max(
-          m, static_cast<double>(e.image->rgb[i]) * e.color[static_cast<int>(i % 3)] * e.strength);
-    }
-    return m;
+glm::dvec3 channel_peaks(const Image& image) {
+  glm::dvec3 peak(0);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const int channel = static_cast<int>(i % 3);
+    peak[channel] = std::max(peak[channel], static_cast<double>(image.rgb[i]));
   }
+  return peak;
+}
+
+/// Largest component of the environment's radiance.
+double brightest(const Environment& e, const glm::dvec3& image_peak) {
+  const bool image = e.kind == EnvironmentKind::Image && e.image != nullptr;
+  double m = 0;
   for (int k = 0; k < 3; ++k) {
-    m = std::max(m, e.color[k] * e.strength);
+    m = std::max(m, e.color[k] * e.strength * (image ? image_peak[k] : 1));
     if (e.kind == EnvironmentKind::Gradient) m = std::max(m, e.horizon[k] * e.strength);
   }
   return m;
@@ -111,7 +114,7 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
            !(t.kind == TextureKind::Checker && t.use_uv);
   });
   v.to_object = solid ? g.to_object.data() : nullptr;
-  v.has_environment = brightest(scene.environment, 0) > 0;
+  v.has_environment = brightest(scene.environment, p.environment_peak) > 0;
 }
 
 template <class T>
@@ -186,7 +189,12 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
     rebuilt |= Change::Textures;
   }
   p.environment = scene.environment.image;
-  const double peak = brightest(scene.environment, p.materials->brightest);
+  if (p.environment != nullptr) {
+    const bool same = old != nullptr && old->environment == p.environment;
+    p.environment_peak = same ? old->environment_peak : channel_peaks(*p.environment);
+  }
+  const double peak =
+      std::max(p.materials->brightest, brightest(scene.environment, p.environment_peak));
   result->film_unit = peak > 0 ? std::ldexp(1.0, std::ilogb(peak) + 1) : 1.0;
   result->width = scene.render.width;
   result->height = scene.render.height;

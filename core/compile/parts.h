@@ -74,6 +74,7 @@ struct KernelParts {
   std::shared_ptr<const LightPart<T>> lights;
   std::shared_ptr<const TexturePart<T>> textures;
   std::shared_ptr<const Image> environment;
+  glm::dvec3 environment_peak{0};  ///< largest value of each channel of that image
   SceneView<T> view;
 };
 
