@@ -43,6 +43,10 @@ TEST(Layers, CoreIncludesNothingAboveIt) {
   for (const auto& line : includes("core", "(ui|app|tests)/")) ADD_FAILURE() << line;
 }
 
+TEST(Layers, UiIncludesNothingAboveIt) {
+  for (const auto& line : includes("ui", "(app|tests)/")) ADD_FAILURE() << line;
+}
+
 // This test program links core and no UI, so whatever core needs is mapped into it.
 TEST(Layers, CoreLinksNoWindowOrGl) {
   std::ifstream maps("/proc/self/maps");
