@@ -13,10 +13,11 @@
 namespace lightbench {
 namespace {
 
-/// Room for the rounding of a surface point, in units of the spacing of T at the primitive's
-/// largest coordinate: recomputed hit points of analytic shapes and meshes (whose points pass two
-/// maps).
-constexpr double kShapeUlps = 8;
+/// How far rays start off the surface they leave, in units of half the spacing of T at the
+/// primitive's largest coordinate. A ray knows its own primitive, so analytic shapes need no more
+/// than the last bit; a mesh's points pass two maps, and its neighbouring triangles are not known
+/// to the ray.
+constexpr double kShapeUlps = 1;
 constexpr double kMeshUlps = 16;
 
 Camera shutter_at(const Camera& camera, double time) {

@@ -1,6 +1,6 @@
 #pragma once
-// The accumulation buffer. Sums are 64-bit fixed point, so they do not depend on the order of lanes,
-// tiles or threads: the same samples give the same bits. 32 bytes per pixel.
+// The accumulation buffer. Sums are 64-bit fixed point, so they do not depend on the order of
+// lanes, tiles or threads: the same samples give the same bits. 32 bytes per pixel.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +16,10 @@ struct FilmPixel {
 };
 
 /// One radiance unit of the film is 2^kFilmBits steps. compile() picks `unit` (radiance, a power of
-/// two, near the brightest emission) so that the step is 2^-30 of it: at 1e6 spp a pixel may average
-/// 8000 units before the sum could overflow. A sample is accepted up to kFilmSampleLimit units.
+/// two, near the brightest emission) so that the step is 2^-30 of it: at 1e6 spp a pixel may
+/// average 8000 units before the sum could overflow. Samples are rounded to a step by chance (with
+/// a hash of the sample), so means are unbiased far below it. A sample is accepted up to
+/// kFilmSampleLimit units.
 inline constexpr int kFilmBits = 30;
 inline constexpr int kFilmSquareBits = 24;
 inline constexpr float kFilmSampleLimit = 524288.0F;  // 2^19: 2^49 steps, and 2^62 squared steps

@@ -3,8 +3,6 @@
 // heuristic). One path per lane, advanced one vertex at a time; a lane whose path ends takes the
 // next (pixel, sample) at once, so lanes never idle while work is left.
 
-#include <cmath>
-
 #include "core/camera/camera.h"
 #include "core/compile/render_scene.h"
 #include "core/film/film.h"
@@ -108,7 +106,7 @@ inline Paths start_paths(const SceneView<T>& scene, Jobs& jobs, Mask dead) {
 inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, const Work& work,
                   FilmView film, Counters& counters) {
   alignas(64) T rgb[3][kLanes], luminances[kLanes];
-  alignas(64) std::uint32_t pixels[kLanes], samples[kLanes];
+  alignas(64) std::uint32_t pixels[kLanes], samples[kLanes], dither[kLanes];
   const Vec value = paths.radiance * Real(scene.inverse_film_unit);
   store(rgb[0], value.x);
   store(rgb[1], value.y);
@@ -116,8 +114,12 @@ inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, cons
   store(luminances, luminance(value));
   store(pixels, paths.pixel);
   store(samples, paths.sample);
+  // Rounding up or down by chance, with a number of the sample's own, keeps means unbiased however
+  // far they lie below the film's step.
+  store(dither, hash(paths.sampler.pixel_key, paths.sample));
   constexpr auto kLimit = static_cast<T>(kFilmSampleLimit);
-  constexpr auto kStep = static_cast<T>(std::int64_t{1} << kFilmBits);
+  constexpr auto kStep = static_cast<double>(std::int64_t{1} << kFilmBits);
+  constexpr auto kSquareStep = static_cast<double>(std::int64_t{1} << kFilmSquareBits);
   for (std::uint32_t m = bits(done); m != 0; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
     ++counters.paths;
@@ -132,11 +134,13 @@ inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, cons
       continue;
     }
     FilmPixel& pixel = film.pixels[pixels[lane]];
-    pixel.r += std::llrint(r * kStep);
-    pixel.g += std::llrint(g * kStep);
-    pixel.b += std::llrint(b * kStep);
+    const double chance = dither[lane] * 0x1p-32;
+    const auto steps = [chance](double x) { return static_cast<std::int64_t>(x + chance); };
+    pixel.r += steps(static_cast<double>(r) * kStep);
+    pixel.g += steps(static_cast<double>(g) * kStep);
+    pixel.b += steps(static_cast<double>(b) * kStep);
     const auto y = static_cast<double>(luminances[lane]);
-    const std::int64_t squared = std::llrint(y * y * static_cast<double>(1 << kFilmSquareBits));
+    const std::int64_t squared = steps(y * y * kSquareStep);
     // Saturating, which for sums of non-negative numbers does not depend on their order either.
     if (__builtin_add_overflow(pixel.luminance_squared, squared, &pixel.luminance_squared)) {
       pixel.luminance_squared = INT64_MAX;
