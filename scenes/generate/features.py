@@ -105,8 +105,8 @@ def shape_cylinder():
 
 def shape_disc():
     return studio([
-        {"name": f"disc {i + 1}", "type": "disc", "center": [-1.6 + 0.8 * i, 0.85, 0.25 * i - 0.5],
-         "normal": [math.sin(0.35 * i - 0.9), 0.25, math.cos(0.35 * i - 0.9)], "radius": 0.8 - 0.08 * i,
+        {"name": f"disc {i + 1}", "type": "disc", "center": [-1.8 + 0.9 * i, 0.8, 0.35 * i - 0.7],
+         "normal": [math.sin(0.35 * i - 0.9), 0.25, math.cos(0.35 * i - 0.9)], "radius": 0.48 - 0.02 * i,
          "material": material} for i, material in enumerate(PAINTS)
     ])
 
@@ -317,8 +317,8 @@ def emissive_textured():
          "scale": 8, "useUv": True},
     ]
     materials = [
-        lamp("globe", [1, 1, 1], 9, emissiveTexture="earth"),
-        lamp("windows", [1, 1, 1], 6, emissiveTexture="windows"),
+        lamp("globe", [1, 1, 1], 3, emissiveTexture="earth"),
+        lamp("windows", [1, 1, 1], 2.5, emissiveTexture="windows"),
     ]
     return studio([
         sphere("globe", [0.85, 1.0, 0.2], 0.8, "globe"),

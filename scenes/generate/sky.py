@@ -1,7 +1,7 @@
 """Draws textures/sky.hdr: an evening sky for the environment image, 256 x 128, Radiance HDR.
 
 Equirectangular, top row up. No real place: a smooth gradient, a soft low sun and its glow, brown ground.
-The sun is wide (5 degrees) and not very bright, so that even a renderer that does not sample the
+The sun is wide (16 degrees across) and not very bright, so that even a renderer that does not sample the
 picture by brightness converges.
 """
 
@@ -10,7 +10,7 @@ import pathlib
 
 WIDTH, HEIGHT = 256, 128
 SUN_AZIMUTH, SUN_ELEVATION = 130, 24   # degrees
-SUN_RADIANCE = (60.0, 44.0, 26.0)
+SUN_RADIANCE = (20.0, 14.5, 9.0)
 ZENITH, HORIZON, GROUND = (0.12, 0.25, 0.62), (0.95, 0.72, 0.50), (0.16, 0.13, 0.10)
 
 
@@ -33,7 +33,7 @@ def radiance(azimuth, elevation):
     cosine = sum(a * b for a, b in zip(direction(azimuth, elevation),
                                        direction(SUN_AZIMUTH, SUN_ELEVATION)))
     away = math.degrees(math.acos(min(1.0, cosine)))
-    sky = tuple(s + 0.04 * c * math.exp(-away / 14) + c * (1 - smooth(away, 3.5, 6.5))
+    sky = tuple(s + 0.08 * c * math.exp(-away / 14) + c * (1 - smooth(away, 5.0, 11.0))
                 for s, c in zip(sky, SUN_RADIANCE))
     return mix(GROUND, sky, smooth(elevation, -2.5, 0.5))
 
