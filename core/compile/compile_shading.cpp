@@ -50,6 +50,8 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
     for (const double x : row) part->rows.push_back(static_cast<T>(x));
     part->brightest = std::max({part->brightest, e.x, e.y, e.z});
   }
+  // Lanes that scatter in a medium read row 0 too; a scene of media alone has no material.
+  if (part->rows.empty()) part->rows.resize(kMaterialStride);
   for (std::size_t i = 0; i < geometry.object.size(); ++i) {
     const Object& o = scene.objects[static_cast<std::size_t>(geometry.object[i])];
     part->of_primitive.push_back(i < geometry.surface_count ? static_cast<std::uint32_t>(o.material)
