@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "core/error.h"
@@ -232,6 +234,17 @@ TEST(SceneRoundTrip, EverySceneInTheRepository) {
     ++count;
   }
   EXPECT_GE(count, 12);
+}
+
+TEST(SceneFiles, TheExampleInTheManualLoads) {
+  std::ifstream manual(LIGHTBENCH_SOURCE_DIR "/docs/scene-format.md");
+  const std::string text{std::istreambuf_iterator<char>(manual), {}};
+  const std::string fence = "```json\n";
+  const std::size_t begin = text.find(fence) + fence.size();
+  const Scene scene =
+      parse_scene(text.substr(begin, text.find("```", begin) - begin), ".", "manual");
+  EXPECT_EQ(scene.objects.size(), 3U);
+  EXPECT_EQ(scene.materials[0].base_color_texture, 0);
 }
 
 TEST(SceneFiles, OneFileIsLoadedOnce) {
