@@ -67,18 +67,21 @@ inline Paths start_paths(const SceneView<T>& scene, Jobs& jobs, Mask dead) {
                             pixels[kLanes] = {};
   std::uint32_t started = 0;
   const auto columns = static_cast<std::uint32_t>(jobs.work.x1 - jobs.work.x0);
+  const auto stride = static_cast<std::uint32_t>(jobs.work.stride);
   for (std::uint32_t m = bits(dead); m != 0 && jobs.next < jobs.count; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
     const std::uint32_t job = jobs.next++;
     const std::uint32_t cell = job / jobs.work.sample_count;
     samples[lane] = jobs.work.first_sample + job % jobs.work.sample_count;
-    xs[lane] = static_cast<std::uint32_t>(jobs.work.x0) + cell % columns;
-    ys[lane] = static_cast<std::uint32_t>(jobs.work.y0) + cell / columns;
-    pixels[lane] = ys[lane] * static_cast<std::uint32_t>(jobs.film_width) + xs[lane];
+    const std::uint32_t film_x = static_cast<std::uint32_t>(jobs.work.x0) + cell % columns;
+    const std::uint32_t film_y = static_cast<std::uint32_t>(jobs.work.y0) + cell / columns;
+    pixels[lane] = film_y * static_cast<std::uint32_t>(jobs.film_width) + film_x;
+    // Of the picture: a window of it holds the very samples of the whole.
+    xs[lane] = film_x * stride + static_cast<std::uint32_t>(scene.camera.crop_x);
+    ys[lane] = film_y * stride + static_cast<std::uint32_t>(scene.camera.crop_y);
     started |= 1U << lane;
   }
   const CameraView<T>& camera = scene.camera;
-  const auto stride = static_cast<T>(jobs.work.stride);
   Paths p;
   p.sample = load(samples);
   p.pixel = load(pixels);
@@ -89,9 +92,9 @@ inline Paths start_paths(const SceneView<T>& scene, Jobs& jobs, Mask dead) {
   // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands for.
   const Vec2 offset =
       jobs.work.stride == 1 ? sample_filter(camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};
-  p.ray = camera_ray(
-      camera, (to_real(x) + T(0.5) + offset.x) * stride + static_cast<T>(camera.crop_x),
-      (to_real(y) + T(0.5) + offset.y) * stride + static_cast<T>(camera.crop_y), p.sampler);
+  p.ray =
+      camera_ray(camera, to_real(x) + (T(0.5) + offset.x) * static_cast<T>(jobs.work.stride),
+                 to_real(y) + (T(0.5) + offset.y) * static_cast<T>(jobs.work.stride), p.sampler);
   p.throughput = Vec(Real(1));
   p.radiance = Vec(Real(0));
   p.pdf = Real(0);
