@@ -15,7 +15,8 @@ void remember(int signal) { received_signal = signal; }
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = remember;
-  action.sa_flags = SA_RESETHAND | SA_RESTART;  // the second one meets the default: to die
+  action.sa_flags =
+      static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second one meets the default: to die
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

@@ -58,7 +58,7 @@ TEST(Session, SnapshotsEqualSeparateRendersBitForBit) {
   ASSERT_EQ(snapshots.size(), 3U);
   EXPECT_TRUE(session.take_snapshots().empty());
   const std::uint32_t counts[] = {3, 10, 37};
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(snapshots[i]->spp, counts[i]);
     Scene alone = noisy_scene(50, 40, static_cast<int>(counts[i]));
     alone.render.snapshots = {static_cast<int>(counts[i])};
