@@ -79,18 +79,19 @@ std::string test_name(const testing::TestParamInfo<std::string>& scene) {
 using Blocks = std::vector<std::array<double, 3>>;
 
 Blocks block_means(const Image& image) {
-  const int columns = image.width / kBlock;
-  const int rows = image.height / kBlock;
-  Blocks blocks(static_cast<std::size_t>(columns * rows + 1), {0, 0, 0});
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t columns = width / kBlock;
+  const std::size_t rows = static_cast<std::size_t>(image.height) / kBlock;
+  Blocks blocks(columns * rows + 1, {0, 0, 0});
   const double share = 1.0 / (kBlock * kBlock);
-  for (int y = 0; y < rows * kBlock; ++y) {
-    for (int x = 0; x < columns * kBlock; ++x) {
-      auto& block = blocks[static_cast<std::size_t>(y / kBlock * columns + x / kBlock)];
-      const auto pixel = static_cast<std::size_t>(y * image.width + x) * 3;
+  const double share_of_all = share / static_cast<double>(columns * rows);
+  for (std::size_t y = 0; y < rows * kBlock; ++y) {
+    for (std::size_t x = 0; x < columns * kBlock; ++x) {
+      auto& block = blocks[y / kBlock * columns + x / kBlock];
       for (std::size_t c = 0; c < 3; ++c) {
-        const double value = image.rgb[pixel + c];
+        const double value = image.rgb[(y * width + x) * 3 + c];
         block[c] += value * share;
-        blocks.back()[c] += value * share / (columns * rows);
+        blocks.back()[c] += value * share_of_all;
       }
     }
   }
