@@ -152,8 +152,13 @@ void save_scene(const Scene& scene, const std::filesystem::path& file) {
   replace_file(file, scene_to_json(scene, file.parent_path()));
 }
 
+// High-dynamic-range files in the wild hold infinities (a sun too bright for half floats), NaN and
+// the negative lobes of resampling filters; one such texel would poison every path that sees it.
 std::shared_ptr<const Image> load_image(const std::filesystem::path& file, bool srgb) {
-  return std::make_shared<const Image>(read_image(file, srgb));
+  constexpr float kBrightest = 1e12F;
+  Image image = read_image(file, srgb);
+  for (float& value : image.rgb) value = value > 0 ? std::min(value, kBrightest) : 0.0F;
+  return std::make_shared<const Image>(std::move(image));
 }
 
 }  // namespace lightbench

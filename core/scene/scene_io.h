@@ -35,7 +35,8 @@ void save_scene(const Scene& scene, const std::filesystem::path& file);
 /// calls it after an edit, load_scene after a read.
 void validate(const Scene& scene);
 
-/// Loads one mesh (PLY, OBJ, ... through assimp) or one image (PNG, JPEG, HDR, EXR) for the editor.
+/// Loads one mesh (PLY, OBJ, ... through assimp) or one image (PNG, JPEG, HDR, EXR,
+/// PFM, PPM) for the editor. Texels are made finite and not negative, at most 1e12.
 std::shared_ptr<const Mesh> load_mesh(const std::filesystem::path& file);
 std::shared_ptr<const Image> load_image(const std::filesystem::path& file, bool srgb);
 

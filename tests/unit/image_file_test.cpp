@@ -166,6 +166,17 @@ TEST(ImageFile, SixteenBitPpmIsRead) {
   EXPECT_EQ(image.rgb[2], 0);
 }
 
+TEST(ImageFile, TexturesAreFiniteAndNotNegative) {
+  const TemporaryFolder folder;
+  const Image image{2,
+                    1,
+                    {std::numeric_limits<float>::quiet_NaN(), -1, 0.5F,
+                     std::numeric_limits<float>::infinity(), 7, 1e30F}};
+  write_image(folder / "a.pfm", image, {});
+  EXPECT_EQ(load_image(folder / "a.pfm", true)->rgb,
+            (std::vector<float>{0, 0, 0.5F, 1e12F, 7, 1e12F}));
+}
+
 TEST(ImageFile, NamesAreCheckedBeforeALongRender) {
   for (const char* good : {"a.png", "x/y.EXR", "a.b.hdr", "a.pfm", "a.ppm"})
     EXPECT_NO_THROW(check_image_name(good));
