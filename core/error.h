@@ -1,6 +1,7 @@
 #pragma once
 // The one exception type that crosses module borders. Its message is a single line that says where
-// the fault is (file and JSON pointer, or flag) and what was expected; its kind names the exit code.
+// the fault is (file and JSON pointer, or flag) and what was expected; its kind names the exit
+// code.
 
 #include <stdexcept>
 #include <string>

@@ -18,9 +18,9 @@ struct Frame {
   std::vector<float> variance;  ///< of one sample's luminance, per pixel; empty unless asked for
   int divider = 1;
   std::uint32_t spp = 0;
-  double seconds = 0;             ///< render time of this generation, pauses excluded
-  std::uint64_t generation = 0;   ///< which submit() it belongs to
-  std::uint64_t serial = 0;       ///< grows with each published frame
+  double seconds = 0;                        ///< render time of this generation, pauses excluded
+  std::uint64_t generation = 0;              ///< which submit() it belongs to
+  std::uint64_t serial = 0;                  ///< grows with each published frame
   std::shared_ptr<const RenderScene> scene;  ///< what was traced, for picking
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Linear radiance to display values: the formulas that saved 8-bit files use and that the viewport's
-// shader repeats (ui/viewport; a test compares the two within 1/255).
+// Linear radiance to display values: the formulas that saved 8-bit files use and that the
+// viewport's shader repeats (ui/viewport; a test compares the two within 1/255).
 
 #include <array>
 #include <cstdint>
