@@ -150,10 +150,8 @@ ShapeRow row_of(const TriangleShape& s, const Map& map) {
   ShapeRow r;
   r.kind = PrimitiveKind::Triangle;
   const dvec3 a = map.point(s.a), b = map.point(s.b), c = map.point(s.c);
-  append(r.numbers, a);
-  // A mirroring map turns the winding; swapping keeps the front where the object has it.
-  append(r.numbers, map.determinant > 0 ? b : c);
-  append(r.numbers, map.determinant > 0 ? c : b);
+  for (const dvec3& v : {a, b, c}) append(r.numbers, v);
+  r.numbers.push_back(map.determinant > 0 ? 1 : -1);
   r.area = 0.5 * length(cross(b - a, c - a));
   return r;
 }

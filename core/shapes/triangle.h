@@ -8,11 +8,12 @@
 LIGHTBENCH_KERNEL_BEGIN
 
 struct Triangle {
-  static constexpr unsigned kRow = 9;
+  static constexpr unsigned kRow = 10;
   Vec a, b, c;
+  Real facing = Real(1);  ///< -1 if a mirroring transform turned the winding; the front stays
 };
 
-inline Triangle triangle_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6)}; }
+inline Triangle triangle_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6), row[9]}; }
 
 /// Hit with barycentrics of the vertices b and c.
 struct TriangleHit {
@@ -69,7 +70,7 @@ inline Surface surface_triangle(const Triangle& s, Real b1, Real b2) {
   Surface r;
   const Vec e1 = s.b - s.a, e2 = s.c - s.a;
   r.p = madd(e1, b1, madd(e2, b2, s.a));
-  r.ng = normalize(cross(e1, e2));
+  r.ng = normalize(cross(e1, e2)) * s.facing;
   r.ns = r.ng;
   r.u = b1;
   r.v = b2;
@@ -91,7 +92,7 @@ inline LightSample sample_triangle(const Triangle& s, Vec from, Vec2 u) {
   const Vec e1 = s.b - s.a, e2 = s.c - s.a;
   const Vec nn = cross(e1, e2);
   const Real doubled = length(nn);
-  const Vec n = nn * (Real(1) / doubled);
+  const Vec n = nn * (s.facing / doubled);
   const Vec2 b = square_to_triangle(u);
   LightSample r = toward_point(from, madd(e1, b.x, madd(e2, b.y, s.a)), n, Real(2) / doubled);
   const Real omega = solid_angle_of_triangle(s, from);
