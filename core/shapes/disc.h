@@ -45,7 +45,8 @@ inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, bool with_uv)
     r.u = atan2(c.y, c.x) * (kInvPi * T(0.5)) + Real(T(0.5));
     r.v = sqrt(c.x * c.x + c.y * c.y);
   }
-  r.tangent = normalize(s.u);
+  const Vec around = s.v * c.x - s.u * c.y;
+  r.tangent = normalize(select(length_squared(around) > Real(0), around, s.v));
   return r;
 }
 
