@@ -48,7 +48,6 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
                                          static_cast<double>(m.emissive_texture),
                                          m.two_sided ? 1.0 : 0.0};
     for (const double x : row) part->rows.push_back(static_cast<T>(x));
-    part->brightest = std::max({part->brightest, e.x, e.y, e.z});
   }
   // Lanes that scatter in a medium read row 0 too; a scene of media alone has no material.
   if (part->rows.empty()) part->rows.resize(kMaterialStride);
@@ -56,7 +55,11 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
     const Object& o = scene.objects[static_cast<std::size_t>(geometry.object[i])];
     part->of_primitive.push_back(i < geometry.surface_count ? static_cast<std::uint32_t>(o.material)
                                                             : 0U);
-    if (i < geometry.surface_count) continue;
+    if (i < geometry.surface_count) {
+      const glm::dvec3 e = emission(scene.materials[static_cast<std::size_t>(o.material)]);
+      part->brightest = std::max({part->brightest, e.x, e.y, e.z});
+      continue;
+    }
     const Medium& m = scene.media[static_cast<std::size_t>(o.medium)];
     MediumView<T> view{};
     view.boundary = static_cast<std::uint32_t>(i);

@@ -50,7 +50,7 @@ struct MaterialPart {
   std::vector<T> rows;
   std::vector<std::uint32_t> of_primitive;
   std::vector<MediumView<T>> media;
-  double brightest = 0;  ///< largest component of emitted radiance
+  double brightest = 0;  ///< largest component of the radiance that a surface emits
 };
 
 template <class T>
