@@ -1,0 +1,153 @@
+// The kernels against each other: the float ones give the same film to the last bit, however the
+// work is divided; the reference gives the same picture up to float's rounding.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "core/compile/render_scene.h"
+#include "core/scene/scene_io.h"
+
+namespace lightbench {
+namespace {
+
+/// Scenes that together use every shape, material, texture, medium, lens and light.
+std::vector<std::pair<std::string, Scene>> small_scenes() {
+  const std::filesystem::path folder = std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "scenes";
+  std::vector<std::filesystem::path> files{folder / "cornell-three-lights.json",
+                                           folder / "cornell-smoke.json"};
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "features")) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::vector<std::pair<std::string, Scene>> scenes;
+  for (const auto& file : files) {
+    Scene scene = load_scene(file);
+    scene.render.height = 24;
+    scene.render.width = 32;
+    scene.render.crop = {};
+    scene.render.seed = 5;
+    scenes.emplace_back(file.stem().string(), std::move(scene));
+  }
+  EXPECT_GT(scenes.size(), 10U);
+  return scenes;
+}
+
+Film film_of(const RenderScene& scene, std::uint32_t samples, Counters* counters = nullptr) {
+  Film film(scene.crop.width, scene.crop.height, scene.film_unit);
+  Counters ignored;
+  render(scene, {0, 0, film.width(), film.height(), 0, samples, 1}, film.view(),
+         counters != nullptr ? *counters : ignored);
+  return film;
+}
+
+TEST(Kernel, FloatKernelsAgreeToTheLastBit) {
+  int compared = 0;
+  for (const auto& [name, scene] : small_scenes()) {
+    Counters scalar_count;
+    const std::uint64_t scalar =
+        film_of(*compile(scene, KernelKind::Scalar), 3, &scalar_count).hash();
+    EXPECT_EQ(scalar_count.paths, 32U * 24 * 3) << name;
+    EXPECT_EQ(scalar_count.non_finite, 0U) << name;
+    for (const KernelKind kernel : {KernelKind::Avx2, KernelKind::Avx512}) {
+      if (!kernel_supported(kernel)) continue;
+      Counters count;
+      EXPECT_EQ(film_of(*compile(scene, kernel), 3, &count).hash(), scalar)
+          << name << " in " << kernel_name(kernel);
+      EXPECT_EQ(count.rays, scalar_count.rays) << name;
+      EXPECT_EQ(count.shadow_rays, scalar_count.shadow_rays) << name;
+      ++compared;
+    }
+  }
+  if (compared == 0) GTEST_SKIP() << "this processor runs one float kernel only";
+}
+
+// Same samples, so the difference is rounding: most pixels agree to a few parts in ten thousand. A
+// path whose choice hangs on rounding (an edge, a Fresnel or roulette number, a free flight) goes
+// another way, so some pixels differ as pixels do from one sample to the next.
+TEST(Kernel, TheReferenceShowsTheSamePicture) {
+  for (const auto& [name, scene] : small_scenes()) {
+    constexpr std::uint32_t kSamples = 4;
+    const Image a = film_of(*compile(scene, KernelKind::Scalar), kSamples).mean(kSamples);
+    const Image b = film_of(*compile(scene, KernelKind::Reference), kSamples).mean(kSamples);
+    double sum_a = 0, sum_b = 0;
+    int close = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+      const auto x = static_cast<double>(a.rgb[i]), y = static_cast<double>(b.rgb[i]);
+      sum_a += x;
+      sum_b += y;
+      close += std::abs(x - y) <= 1e-3 * std::max(x, y) + 1e-6 ? 1 : 0;
+    }
+    const double share = static_cast<double>(close) / static_cast<double>(a.rgb.size());
+    EXPECT_GT(share, 0.9) << name;
+    EXPECT_NEAR(sum_a / sum_b, 1, 0.02) << name;
+  }
+}
+
+TEST(Kernel, WorkMayBeDividedInAnyWay) {
+  for (const auto& [name, scene] : small_scenes()) {
+    const auto compiled = compile(scene, KernelKind::Auto);
+    const std::uint64_t whole = film_of(*compiled, 4).hash();
+    Film film(32, 24, compiled->film_unit);
+    Counters counters;
+    // Tiles from the last to the first; samples in two parts, the later first.
+    for (const std::uint32_t first : {1U, 0U}) {
+      for (int y = 16; y >= 0; y -= 8) {
+        for (int x = 22; x >= 0; x -= 11) {
+          render(*compiled, {x, y, std::min(x + 11, 32), y + 8, first, first == 0 ? 1U : 3U, 1},
+                 film.view(), counters);
+        }
+      }
+    }
+    EXPECT_EQ(film.hash(), whole) << name;
+    EXPECT_EQ(counters.paths, 32U * 24 * 4) << name;
+  }
+}
+
+TEST(Kernel, ACropIsAWindowOfTheWholeCamera) {
+  Scene scene = small_scenes()[0].second;
+  scene.render.width = 64;
+  scene.render.height = 48;
+  const Image whole = film_of(*compile(scene, KernelKind::Auto), 64).mean(64);
+  scene.render.crop = {16, 12, 32, 24};
+  const Image crop = film_of(*compile(scene, KernelKind::Auto), 64).mean(64);
+  ASSERT_EQ(crop.width, 32);
+  ASSERT_EQ(crop.height, 24);
+  double difference = 0, total = 0;
+  for (int y = 0; y < 24; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const auto at = [](const Image& i, int px, int py) {
+        return static_cast<double>(i.rgb[static_cast<std::size_t>(3 * (py * i.width + px) + 1)]);
+      };
+      const double w = at(whole, x + 16, y + 12), c = at(crop, x, y);
+      difference += std::abs(w - c);
+      total += w;
+    }
+  }
+  EXPECT_LT(difference, 0.35 * total);
+}
+
+TEST(Kernel, SeedsGiveOtherSamplesOfTheSamePicture) {
+  Scene scene = small_scenes()[0].second;
+  const Film a = film_of(*compile(scene, KernelKind::Auto), 4);
+  scene.render.seed += 1;
+  const Film b = film_of(*compile(scene, KernelKind::Auto), 4);
+  EXPECT_NE(a.hash(), b.hash());
+}
+
+TEST(Kernel, NamesAndSupportAreConsistent) {
+  EXPECT_TRUE(kernel_supported(KernelKind::Auto));
+  EXPECT_TRUE(kernel_supported(KernelKind::Scalar));
+  EXPECT_TRUE(kernel_supported(KernelKind::Reference));
+  EXPECT_TRUE(kernel_supported(best_kernel()));
+  EXPECT_NE(best_kernel(), KernelKind::Auto);
+  EXPECT_NE(best_kernel(), KernelKind::Reference);
+  Scene scene;
+  scene.render.width = scene.render.height = 2;
+  EXPECT_EQ(compile(scene, KernelKind::Auto)->kernel, best_kernel());
+  EXPECT_STREQ(kernel_name(KernelKind::Avx2), "avx2");
+}
+
+}  // namespace
+}  // namespace lightbench
