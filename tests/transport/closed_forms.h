@@ -32,7 +32,7 @@ struct Patch {
 };
 /// Irradiance from the patches' fronts, nothing between, by the midpoint rule on n x n cells. Exact
 /// visibility for the outside of convex bodies.
-double patch_irradiance(const Receiver& receiver, const std::vector<Patch>& patches, int n = 1500);
+double patch_irradiance(const Receiver& receiver, const std::vector<Patch>& patches, int n = 1000);
 
 /// Share of the unit disc to the right of the chord x = s.
 double disc_share_beyond(double s);
