@@ -57,6 +57,7 @@ void Application::start_session() {
 
 void Application::submit() {
   submitted_ = bench_.editor.scene;
+  if (rejected_) bench_.notice = {};  // it said why the scene before this one was refused
   rejected_.reset();
   generation_ = session_->submit(bench_.editor.scene);
 }
@@ -111,8 +112,8 @@ void Application::draw_panels() {
 
 void Application::follow_edits() {
   Editor& editor = bench_.editor;
-  const bool busy = ImGui::IsAnyItemActive() || bench_.navigating ||
-                    ImGui::GetTime() - bench_.wheel_time < kWheelPause;
+  wheel_pending_ = bench_.wheel_time >= 0 && ImGui::GetTime() - bench_.wheel_time < kWheelPause;
+  const bool busy = ImGui::IsAnyItemActive() || bench_.navigating || wheel_pending_;
   if (!busy) {
     const std::string refused = editor.commit();
     if (!refused.empty()) bench_.notice = {refused, true};
@@ -165,7 +166,7 @@ double Application::seconds_to_next_frame() {
   if (bench_.navigating) return std::max(0.0, 1.0 / 60 - age);
   double wait = std::numeric_limits<double>::infinity();
   if (hover_pending_) wait = kTooltipDelay - age;
-  if (bench_.wheel_time >= 0 && bench_.editor.can_undo()) wait = std::min(wait, kWheelPause - age);
+  if (wheel_pending_) wait = std::min(wait, kWheelPause - age);
   const SessionStatus status = session_->status();
   if (status.state != shown_state_) return 0;
   const auto latest = session_->latest();

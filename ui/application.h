@@ -91,6 +91,7 @@ class Application {
   SessionState shown_state_ = SessionState::Idle;
   Clock::time_point last_frame_;
   int settling_frames_ = 3;     ///< frames ImGui still needs after input
+  bool wheel_pending_ = false;  ///< the last turn of the wheel is not an undo step yet
   bool hover_pending_ = false;  ///< a tooltip may be due a moment after the last input
 };
 

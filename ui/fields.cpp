@@ -1,10 +1,10 @@
 #include "ui/fields.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 
 #include "core/film/tone_map.h"
 #include "core/scene/scene.h"
@@ -15,6 +15,7 @@ namespace lightbench::ui {
 namespace {
 
 constexpr float kLabelShare = 0.38F;
+constexpr float kColorWidth = 11;  // em
 
 /// Draws the label and sets the next widget to fill the row; returns the hidden ImGui label.
 std::string begin_row(const char* label) {
@@ -91,9 +92,13 @@ bool color_field(const char* label, glm::dvec3& linear, const char* tip) {
     srgb[static_cast<std::size_t>(c)] = srgb_from_linear(static_cast<float>(linear[c]));
   }
   const std::array<float, 3> before = srgb;
-  const bool changed = ImGui::ColorEdit3(id.c_str(), srgb.data(),
-                                         ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoTooltip |
-                                             ImGuiColorEditFlags_PickerHueWheel);
+  // Three numbers need room; a narrow panel shows the one that fits.
+  const bool narrow = ImGui::GetContentRegionAvail().x < kColorWidth * ImGui::GetFontSize();
+  const bool changed = ImGui::ColorEdit3(
+      id.c_str(), srgb.data(),
+      ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoTooltip |
+          ImGuiColorEditFlags_PickerHueWheel |
+          (narrow ? ImGuiColorEditFlags_DisplayHex : ImGuiColorEditFlags_DisplayRGB));
   note_widget(label);
   // Channels the user did not touch keep their exact linear value.
   for (int c = 0; c < 3; ++c) {
@@ -157,14 +162,19 @@ bool reference_field(const char* label, int& index, const std::vector<std::strin
 }
 
 bool text_field(const char* label, std::string& value, const char* hint) {
-  const std::string id = begin_row(label);
-  std::array<char, 1024> text{};
-  std::snprintf(text.data(), text.size(), "%s", value.c_str());
-  ImGui::InputTextWithHint(id.c_str(), hint, text.data(), text.size(),
+  begin_row(label);
+  return wide_text_field(label, value, hint);
+}
+
+bool wide_text_field(const char* label, std::string& value, const char* hint) {
+  // ImGui keeps what is being typed; `value` stays as it is until that is done.
+  std::string text = value;
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  ImGui::InputTextWithHint((std::string("##") + label).c_str(), hint, &text,
                            ImGuiInputTextFlags_AutoSelectAll);
   const bool finished = ImGui::IsItemDeactivatedAfterEdit();
   note_widget(label);
-  if (finished) value = text.data();
+  if (finished) value = text;
   return finished;
 }
 
@@ -172,6 +182,14 @@ void value_row(const char* label, const std::string& value) {
   begin_row(label);
   ImGui::TextUnformatted(value.c_str());
   note_widget(label);
+}
+
+void elided_text(const std::string& text) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::size_t kept = text.size();
+  while (kept > 0 && ImGui::CalcTextSize((text.substr(0, kept) + "...").c_str()).x > width) --kept;
+  const bool fits = ImGui::CalcTextSize(text.c_str()).x <= width;
+  ImGui::TextUnformatted((fits ? text : text.substr(0, kept) + "...").c_str());
 }
 
 void note(const char* text) {

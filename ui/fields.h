@@ -38,8 +38,13 @@ bool reference_field(const char* label, int& index, const std::vector<std::strin
 /// True once, when the user has finished typing; `value` is unchanged until then.
 bool text_field(const char* label, std::string& value, const char* hint = "");
 
+/// The same over the whole width, without a label on screen.
+bool wide_text_field(const char* label, std::string& value, const char* hint = "");
+
 /// Value that cannot be edited.
 void value_row(const char* label, const std::string& value);
+/// One line, cut off with dots where the panel ends.
+void elided_text(const std::string& text);
 /// Muted paragraph that wraps.
 void note(const char* text);
 /// A titled group of rows, open at first. True if open.

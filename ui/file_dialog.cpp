@@ -1,10 +1,9 @@
 #include "ui/file_dialog.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -26,12 +25,7 @@ bool has_extension(const fs::path& file, const std::vector<std::string>& extensi
 
 /// Edits `text` in place; true when Enter ends it.
 bool text_input(const char* id, std::string& text) {
-  std::array<char, 1024> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%s", text.c_str());
-  const bool entered =
-      ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  text = buffer.data();
-  return entered;
+  return ImGui::InputText(id, &text, ImGuiInputTextFlags_EnterReturnsTrue);
 }
 
 }  // namespace
@@ -126,7 +120,9 @@ void FileDialog::draw() {
   const std::string title = question_.title + "##file dialog";
   if (starting_) ImGui::OpenPopup(title.c_str());
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize({38 * em, 28 * em}, ImGuiCond_Appearing);
+  const ImVec2 screen = ImGui::GetMainViewport()->WorkSize;
+  ImGui::SetNextWindowSize({std::min(38 * em, screen.x), std::min(28 * em, screen.y)},
+                           ImGuiCond_Appearing);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
   bool keep = true;
   if (!ImGui::BeginPopupModal(title.c_str(), &keep, ImGuiWindowFlags_NoSavedSettings)) {

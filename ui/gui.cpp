@@ -49,7 +49,16 @@ void Gui::begin_frame(double seconds) {
   ImGui::NewFrame();
 }
 
+void Gui::note_tabs() {
+  for (const ImGuiWindow* window : context_->Windows) {
+    if (!window->DockIsActive || window->DockNode == nullptr || !window->WasActive) continue;
+    const ImRect& tab = window->DC.DockTabItemRect;
+    widgets_.places["Tab/" + std::string(window->Name)] = {tab.Min, tab.Max, tab.GetWidth() > 0};
+  }
+}
+
 void Gui::end_frame() {
+  note_tabs();
   ImGui::Render();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, gl_.width(), gl_.height());

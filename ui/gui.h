@@ -32,6 +32,8 @@ class Gui {
   [[nodiscard]] const WidgetMap& widgets() const { return widgets_; }
 
  private:
+  void note_tabs();
+
   GlContext& gl_;
   ImGuiContext* context_ = nullptr;
   std::string layout_file_;

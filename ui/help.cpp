@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "ui/panels.h"
@@ -32,7 +33,9 @@ void draw_group(const char* group) {
 void draw_help(Workbench& bench) {
   if (!bench.help_shown) return;
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize({48 * em, 36 * em}, ImGuiCond_Appearing);
+  const ImVec2 screen = ImGui::GetMainViewport()->WorkSize;
+  ImGui::SetNextWindowSize({std::min(50 * em, screen.x), std::min(41 * em, screen.y)},
+                           ImGuiCond_Appearing);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
   if (ImGui::Begin("Keys", &bench.help_shown,
                    ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoCollapse |

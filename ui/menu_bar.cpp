@@ -43,7 +43,7 @@ void draw_title(const Workbench& bench) {
   const Editor& editor = bench.editor;
   const std::string title = editor.title() + (editor.dirty() ? " *" : "");
   const float width = ImGui::CalcTextSize(title.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width);
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
   ImGui::TextColored(kPalette.muted, "%s", title.c_str());
   note_widget("Title");
   if (!editor.file().empty()) ImGui::SetItemTooltip("%s", editor.file().string().c_str());

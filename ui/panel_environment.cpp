@@ -2,8 +2,8 @@
 
 #include "ui/fields.h"
 #include "ui/panels.h"
-#include "ui/widget_map.h"
 #include "ui/radiance_fields.h"
+#include "ui/widget_map.h"
 
 namespace lightbench::ui {
 namespace {

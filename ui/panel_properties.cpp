@@ -3,9 +3,9 @@
 #include "ui/fields.h"
 #include "ui/icons.h"
 #include "ui/panels.h"
-#include "ui/widget_map.h"
 #include "ui/properties.h"
 #include "ui/scene_edit.h"
+#include "ui/widget_map.h"
 
 namespace lightbench::ui {
 namespace {

@@ -73,7 +73,9 @@ void draw_entry(const Snapshot& snapshot, float size) {
     ImGui::TextColored(kPalette.error, "%s", snapshot.error.c_str());
     ImGui::PopTextWrapPos();
   } else {
-    ImGui::TextColored(kPalette.muted, "%s", snapshot.written ? name.c_str() : "writing...");
+    ImGui::PushStyleColor(ImGuiCol_Text, kPalette.muted);
+    elided_text(snapshot.written ? name : "writing...");
+    ImGui::PopStyleColor();
   }
   ImGui::EndGroup();
   note_widget(name.c_str());
@@ -89,7 +91,8 @@ void draw_snapshots_panel(Workbench& bench) {
     if (text_field("At spp", counts, "10, 200, 1000")) render.snapshots = counts_from_text(counts);
     draw_format(bench.snapshots.pattern);
     std::string pattern = bench.snapshots.pattern;
-    if (text_field("File", pattern) && !pattern.empty()) bench.snapshots.pattern = pattern;
+    if (wide_text_field("File", pattern) && !pattern.empty()) bench.snapshots.pattern = pattern;
+    tip_for_last("Where snapshots go; {scene} and {spp} are filled in");
     toggle_field("Automatic", bench.snapshots.automatic, "Write the counts above when reached");
     ImGui::BeginDisabled(bench.frame == nullptr);
     if (ImGui::Button((std::string(icon::kCamera) + "  Snapshot now###now").c_str(),

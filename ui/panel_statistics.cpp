@@ -35,7 +35,8 @@ void draw_statistics_panel(Workbench& bench) {
       value_row("Samples", format_integer(status.spp) + " spp");
       value_row("Target", target_of(status));
       value_row("Elapsed", format_duration(status.seconds));
-      value_row("Remaining", format_duration(status.remaining));
+      const bool running = status.state == SessionState::Rendering;
+      value_row("Remaining", running ? format_duration(status.remaining) : "-");
     }
     if (section("Speed")) {
       value_row("Paths", format_count(status.samples_per_second) + "/s");

@@ -60,11 +60,15 @@ void draw_progress(const SessionStatus& status, const RenderSettings& render, fl
   ImGui::Dummy({width, height});
 }
 
-void draw_value(const char* label, const std::string& value, bool first = false) {
-  ImGui::SameLine(0, (first ? 1.0F : 1.4F) * ImGui::GetFontSize());
-  if (label[0] != '\0') {
-    ImGui::TextColored(kPalette.muted, "%s", label);
-    ImGui::SameLine(0, 0.4F * ImGui::GetFontSize());
+void draw_value(const std::string& label, const std::string& value, bool first = false) {
+  const float em = ImGui::GetFontSize();
+  ImGui::SameLine(0, (first ? 1.0F : 1.4F) * em);
+  // What does not fit in whole is left out; the statistics panel has it all.
+  const float needed = ImGui::CalcTextSize((label + value).c_str()).x + 0.4F * em;
+  if (needed > ImGui::GetContentRegionAvail().x) return;
+  if (!label.empty()) {
+    ImGui::TextColored(kPalette.muted, "%s", label.c_str());
+    ImGui::SameLine(0, 0.4F * em);
   }
   ImGui::TextUnformatted(value.c_str());
 }
@@ -74,17 +78,15 @@ void draw_value(const char* label, const std::string& value, bool first = false)
 void draw_status_bar(Workbench& bench) {
   const SessionStatus& status = bench.status;
   const float height = ImGui::GetFrameHeight() + ImGui::GetStyle().FramePadding.y;
+  const float text_y = 0.5F * (height - ImGui::GetFontSize());
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetStyle().WindowPadding.x, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   if (ImGui::BeginViewportSideBar(
           "##status", ImGui::GetMainViewport(), ImGuiDir_Down, height,
           ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings)) {
-    const float bar = ImGui::GetWindowHeight();
-    draw_progress(status, bench.editor.scene.render, bar);
-    // Text sits on one line in the middle of the bar.
-    ImGui::SameLine();
-    ImGui::SetCursorPosY(0.5F * (bar - ImGui::GetFontSize()));
+    ImGui::SetCursorPosY(text_y);
+    draw_progress(status, bench.editor.scene.render, ImGui::GetFontSize());
     const std::string target =
         status.target_spp > 0 ? " / " + format_integer(status.target_spp) : "";
     draw_value("", format_integer(status.spp) + target + " spp", true);

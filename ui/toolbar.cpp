@@ -52,6 +52,11 @@ void draw_zoom(Workbench& bench) {
                         4 * style.FramePadding.x + 2 * style.ItemSpacing.x;
   const float text = ImGui::CalcTextSize("6400 %").x;
   const float right = ImGui::GetWindowWidth() - style.FramePadding.x;
+  ImGui::SameLine();
+  if (ImGui::GetCursorPosX() > right - buttons - text) {
+    ImGui::NewLine();  // no room: the keys and the menu do the same
+    return;
+  }
   ImGui::SameLine(right - buttons - text);
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(kPalette.muted, "%s", zoom);

@@ -8,7 +8,8 @@
 
 namespace lightbench::ui {
 
-/// Rectangles in screen coordinates of the last frame, keyed "Window/Label". A Gui owns one and
+/// Rectangles in screen coordinates of the last frame, keyed "Window/Label", and "Tab/Window"
+/// for the tabs of docked panels. A Gui owns one and
 /// hands it to the widgets through ImGui's user data, so that panels need not pass it on.
 struct WidgetMap {
   struct Place {
