@@ -96,10 +96,10 @@ TEST(Determinism, CropShowsTheSamePixels) {
   const Film part = render_film(s, KernelKind::Auto, kSpp);
   ASSERT_EQ(part.width(), 9);
   ASSERT_EQ(part.height(), 21);
-  for (int y = 0; y < 21; ++y) {
-    for (int x = 0; x < 9; ++x) {
-      const FilmPixel& a = part.pixels()[static_cast<std::size_t>(y * 9 + x)];
-      const FilmPixel& b = whole.pixels()[static_cast<std::size_t>((y + 7) * kSize + x + 13)];
+  for (std::size_t y = 0; y < 21; ++y) {
+    for (std::size_t x = 0; x < 9; ++x) {
+      const FilmPixel& a = part.pixels()[y * 9 + x];
+      const FilmPixel& b = whole.pixels()[(y + 7) * kSize + x + 13];
       EXPECT_EQ(a.r, b.r);
       EXPECT_EQ(a.luminance_squared, b.luminance_squared);
     }

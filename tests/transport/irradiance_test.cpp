@@ -288,7 +288,8 @@ TEST_P(Irradiance, OfManyLightsAddsUp) {
   double sum = 0;
   // In rows of directions that keep clear of each other, of very unequal power and distance.
   for (int i = 0; i < 48; ++i) {
-    const double angle = 2 * kPi * (i % 12) / 12, height = 0.35 + 0.3 * (i / 12);
+    const int row = i / 12;
+    const double angle = 2 * kPi * (i % 12) / 12, height = 0.35 + 0.3 * row;
     const double power = i % 7 == 0 ? 20 : 0.5, distance = 1 + 0.13 * ((i * 5) % 17);
     const dvec3 c = distance * dvec3(std::cos(height) * std::cos(angle), std::sin(height),
                                      std::cos(height) * std::sin(angle));

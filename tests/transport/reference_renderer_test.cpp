@@ -15,7 +15,9 @@
 namespace lightbench {
 namespace {
 
-constexpr int kBlocks = 10, kBlockSize = 30, kSeeds = 16;
+constexpr std::size_t kBlocks = 10, kBlockSize = 30, kPixels = kBlocks * kBlockSize;
+constexpr double kBlockArea = kBlockSize * kBlockSize;
+constexpr int kSeeds = 16;
 
 using BlockMeans = std::vector<glm::dvec3>;
 
@@ -43,20 +45,17 @@ Reference read_reference() {
 /// One list of block means per seed; lights scaled by `brightness`.
 std::vector<BlockMeans> render_blocks(KernelKind kernel, int spp, double brightness) {
   Scene s = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/cornell-plain.json");
-  EXPECT_EQ(s.render.width, kBlocks * kBlockSize);
-  EXPECT_EQ(s.render.height, kBlocks * kBlockSize);
+  EXPECT_EQ(s.render.width, static_cast<int>(kPixels));
+  EXPECT_EQ(s.render.height, static_cast<int>(kPixels));
   for (Material& m : s.materials) m.emissive *= brightness;
   std::vector<BlockMeans> result;
   for (int seed = 0; seed < kSeeds; ++seed) {
     s.render.seed = static_cast<std::uint32_t>(seed);
     const Film film = render_film(s, kernel, spp);
     BlockMeans blocks(kBlocks * kBlocks, glm::dvec3(0));
-    for (int y = 0; y < film.height(); ++y) {
-      for (int x = 0; x < film.width(); ++x) {
-        blocks[static_cast<std::size_t>(y / kBlockSize * kBlocks + x / kBlockSize)] +=
-            pixel_mean(film, static_cast<std::size_t>(y * film.width() + x), spp) /
-            static_cast<double>(kBlockSize * kBlockSize);
-      }
+    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+      const std::size_t x = i % kPixels, y = i / kPixels;
+      blocks[y / kBlockSize * kBlocks + x / kBlockSize] += pixel_mean(film, i, spp) / kBlockArea;
     }
     result.push_back(blocks);
   }
@@ -103,7 +102,7 @@ Comparison compare(const std::vector<BlockMeans>& ours, const Reference& referen
 
 TEST(ReferenceRenderer, AgreesOnTheHeadlineScene) {
   const Reference reference = read_reference();
-  ASSERT_EQ(reference.mean.size(), static_cast<std::size_t>(kBlocks * kBlocks));
+  ASSERT_EQ(reference.mean.size(), kBlocks * kBlocks);
   const Comparison c = compare(render_blocks(KernelKind::Auto, 8, 1), reference);
   c.blocks.expect_agreement();
   c.picture.expect_agreement();
