@@ -69,7 +69,12 @@ inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b
                 ns * (Real(1) / sqrt(select(squared > Real(0), squared, Real(1)))), r.ng);
   r.u = t.has_uvs ? fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)) : b1;
   r.v = t.has_uvs ? fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)) : b2;
-  r.tangent = normalize(m.to_world.vector(e1));
+  // dp/du with v held; along the first edge where the uvs do not tell.
+  const Vec2 d1{t.uvs[1].x - t.uvs[0].x, t.uvs[1].y - t.uvs[0].y};
+  const Vec2 d2{t.uvs[2].x - t.uvs[0].x, t.uvs[2].y - t.uvs[0].y};
+  const Real turn = d1.x * d2.y - d2.x * d1.y;
+  const Vec along = (e1 * d2.y - e2 * d1.y) * copysign(Real(1), turn);
+  r.tangent = normalize(m.to_world.vector(select(turn == Real(0), e1, along)));
   return r;
 }
 

@@ -249,8 +249,6 @@ TEST_P(ShapeHits, CarryTheTextureCoordinatesOfTheObject) {
 
 /// Where the ray that is displaced along the tangent hits, u is larger.
 TEST_P(ShapeHits, TangentsPointAlongGrowingU) {
-  // Meshes and pyramids have a tangent along an edge; with uvs of its own a mesh's says nothing.
-  if (std::holds_alternative<MeshShape>(GetParam().shape)) GTEST_SKIP() << "has uvs of its own";
   for (const NamedTransform& transform : gallery_transforms()) {
     const Subject s = subject_of(GetParam(), transform);
     const auto scene = compile(s.scene, KernelKind::Reference);
