@@ -8,7 +8,7 @@ namespace {
 Object object(Shape shape, glm::dvec3 scale = glm::dvec3(1), double degrees = 0,
               glm::dvec3 axis = {1, 2, 3}) {
   Object o;
-  o.shape = std::move(shape);
+  o.shape = shape;
   o.transform.scale = scale;
   o.transform.axis = axis;
   o.transform.degrees = degrees;

@@ -50,7 +50,7 @@ Scene scene_with_everything() {
   s.meshes = {{"pyramid", "", tetrahedron(1)}};
   const auto add = [&](Shape shape, glm::dvec3 place, int material, int medium = kNone) {
     Object o;
-    o.shape = std::move(shape);
+    o.shape = shape;
     o.transform.translation = place;
     o.material = material;
     o.medium = medium;

@@ -52,7 +52,7 @@ TEST(Elementary, Logarithm) {
     float x;
     std::memcpy(&x, &any, sizeof x);
     worst = std::max(worst, ulps(log(x), std::log(static_cast<double>(x))));
-    const float near = 1 + (static_cast<float>(i) - kPoints / 2) * (0.9F / kPoints);
+    const float near = 1 + 0.9F * (static_cast<float>(i) / kPoints - 0.5F);
     if (near != 1.0F) worst = std::max(worst, ulps(log(near), std::log(static_cast<double>(near))));
   }
   EXPECT_LT(worst, 4);
