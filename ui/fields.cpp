@@ -206,7 +206,7 @@ bool section(const char* title) {
 
 bool icon_button(const char* icon, const char* label, bool enabled) {
   ImGui::BeginDisabled(!enabled);
-  const bool clicked = ImGui::Button((std::string(icon) + "##" + label).c_str(),
+  const bool clicked = ImGui::Button((std::string(icon) + "###" + label).c_str(),
                                      {1.35F * ImGui::GetFrameHeight(), 0});
   ImGui::EndDisabled();
   note_widget(label);

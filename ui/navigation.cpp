@@ -76,8 +76,8 @@ Camera dolly(const Camera& camera, const glm::dvec3& pivot, double factor) {
   const glm::dvec3 move = (1 - factor) * reach * camera_axes(camera).forward;
   Camera result = camera;
   result.look_from += move;
-  // The target stays where it is unless the camera would pass it.
-  if (to_target - (1 - factor) * reach < 0.01 * to_target) result.look_at += move;
+  // A camera that heads for another point than its target would pass that.
+  if (pivot != camera.look_at) result.look_at += move;
   return result;
 }
 
