@@ -40,11 +40,13 @@ set_source_files_properties(${imgui_dir}/backends/imgui_impl_opengl3.cpp PROPERT
 lb_library(imgui ${imgui_sources})
 target_link_libraries(lb_imgui PUBLIC lb::imgui_headers PRIVATE lb::glad lb::glfw)
 
-# Works with either build. Plots of float, double and int only: all ten number types take a minute.
+# Works with either build; compiled when a target of ours links it, before lb::imgui. Plots of float,
+# double and int only: all ten number types take a minute.
 lb_library(implot
   ${implot_dir}/implot.cpp ${implot_dir}/implot_items.cpp ${guizmo_dir}/ImGuizmo.cpp)
 target_compile_definitions(lb_implot PRIVATE "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)(int)")
 target_link_libraries(lb_implot PUBLIC lb::imgui_headers)
+set_target_properties(lb_implot PROPERTIES EXCLUDE_FROM_ALL ON)
 
 if(LIGHTBENCH_TESTS)
   set(engine_dir ${external}/imgui_test_engine/imgui_test_engine/imgui_test_engine)
