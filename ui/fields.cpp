@@ -20,7 +20,9 @@ constexpr float kColorWidth = 11;  // em
 /// Draws the label and sets the next widget to fill the row; returns the hidden ImGui label.
 std::string begin_row(const char* label) {
   const float left = ImGui::GetCursorPosX();
-  const float column = kLabelShare * ImGui::GetContentRegionAvail().x;
+  // A label longer than its column pushes the widget aside rather than run under it.
+  const float column = std::max(kLabelShare * ImGui::GetContentRegionAvail().x,
+                                ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, kPalette.muted);
   ImGui::TextUnformatted(label);

@@ -19,10 +19,12 @@ void draw_dropped(const Counters& counters) {
                      counters.bad_y, counters.bad_sample);
 }
 
+/// Median and slow end.
 void draw_timings(const char* label, const Timings& timings, const char* tip) {
-  value_row(label, timings.count() == 0 ? "-"
-                                        : format_duration(timings.quantile(0.5)) + " (99 %: " +
-                                              format_duration(timings.quantile(0.99)) + ")");
+  const bool known = timings.count() > 0;
+  value_row(label, known ? format_duration(timings.quantile(0.5)) + " / " +
+                               format_duration(timings.quantile(0.99))
+                         : "-");
   tip_for_last(tip);
 }
 
@@ -49,13 +51,14 @@ void draw_statistics_panel(Workbench& bench) {
       value_row("Primitives", format_integer(status.scene.primitives));
       value_row("Triangles", format_integer(status.scene.triangles));
       value_row("Lights", format_integer(status.scene.lights));
-      value_row("Scene memory", format_bytes(static_cast<std::uint64_t>(status.scene.bytes)));
-      value_row("Film memory", format_bytes(status.film_bytes));
+      value_row("Memory", format_bytes(static_cast<std::uint64_t>(status.scene.bytes)));
+      value_row("Film", format_bytes(status.film_bytes));
       value_row("Compiled in", format_duration(status.scene.compile_seconds));
     }
     if (section("Interface")) {
-      draw_timings("Frame", bench.frame_times, "Time to draw the interface once");
-      draw_timings("Edit to picture", bench.edit_times, "From an edit to the first picture of it");
+      draw_timings("Frame", bench.frame_times, "Time to draw the interface once: median / 99 %");
+      draw_timings("Edit", bench.edit_times,
+                   "From an edit to the first picture of it: median / 99 %");
     }
     if (section("Features")) {
       for (const Feature& feature : status.scene.features) {
