@@ -1,6 +1,7 @@
 // lightbench screenshot: the whole interface as an image, without a display.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
@@ -52,11 +53,13 @@ int screenshot(const ScreenshotOptions& options) {
   // A picture of the interface leaves nothing behind but itself.
   application_options.write_snapshots = false;
   ui::Application application(gl, std::move(scene), options.scene.file, application_options, [] {});
+  // One line, rewritten, for a person; a log gets only the last.
+  const bool live = !options.quiet && isatty(STDERR_FILENO) != 0;
   const auto report = [&](std::uint32_t spp) {
-    if (!options.quiet) fmt::print(stderr, "\r{} / {} spp", spp, options.spp);
+    if (live) fmt::print(stderr, "\r{} / {} spp", spp, options.spp);
   };
   ui::wait_for_samples(application, static_cast<std::uint32_t>(options.spp), report);
-  if (!options.quiet) fmt::print(stderr, "\r{0} / {0} spp\n", options.spp);
+  if (!options.quiet) fmt::print(stderr, "{0}{1} / {1} spp\n", live ? "\r" : "", options.spp);
   ui::run_script(application, gl, script);
   for (int i = 0; i < 3; ++i) ui::step_frame(application);
   ui::write_screenshot(gl, options.output);

@@ -8,7 +8,7 @@
 // scene units (1 unit = 1 m when a physical camera is described); colours linear Rec. 709.
 //
 // To add a shape: a struct here and in `Shape`, a file in core/shapes, a case in core/compile,
-// a reader and writer in core/scene/json_*.cpp, a row in ui/panel_objects.cpp.
+// a reader and writer in core/scene/json_*.cpp, its fields in ui/shape_fields.cpp.
 
 #include <array>
 #include <cstdint>
