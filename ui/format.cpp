@@ -39,7 +39,7 @@ std::string format_duration(double seconds) {
   if (seconds < 0.1) return print("%.1f ms", 1000 * seconds);
   if (seconds < 10) return print("%.2f s", seconds);
   if (seconds < 60) return print("%.1f s", seconds);
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   if (whole < 3600) return print("%ld:%02ld", whole / 60, whole % 60);
   return print("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
 }

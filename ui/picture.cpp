@@ -127,8 +127,8 @@ void Picture::develop(const Display& display) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, display_texture_, 0);
   glViewport(0, 0, width_, height_);
-  for (const GLenum state : {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE}) {
-    glDisable(state);
+  for (const auto state : {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE}) {
+    glDisable(static_cast<GLenum>(state));
   }
   glUseProgram(program_);
   glUniform1f(exposure_location_, static_cast<float>(std::exp2(display.exposure)));

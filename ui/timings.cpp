@@ -1,6 +1,7 @@
 #include "ui/timings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lightbench::ui {
 namespace {
@@ -19,7 +20,8 @@ void Timings::add(double seconds) {
 double Timings::quantile(double share) const {
   if (seconds_.empty()) return 0;
   std::vector<double> sorted = seconds_;
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5);
+  const auto rank =
+      static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)));
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank),
                    sorted.end());
   return sorted[rank];

@@ -77,8 +77,8 @@ class Builder {
 
   /// Tests that a leaf of n items costs, against 1 for a node.
   [[nodiscard]] float leaf_cost(std::uint32_t n) const {
-    return leaf_ == BvhLeaf::Blocks ? static_cast<float>((n + kBvhWidth - 1) / kBvhWidth)
-                                    : static_cast<float>(n);
+    const std::uint32_t blocks = (n + kBvhWidth - 1) / kBvhWidth;
+    return static_cast<float>(leaf_ == BvhLeaf::Blocks ? blocks : n);
   }
 
   int split(std::uint32_t first, std::uint32_t count, int depth) {

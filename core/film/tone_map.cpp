@@ -34,7 +34,7 @@ float curve(float x, ToneMap tone_map) {
   return std::min(x, 1.0F);
 }
 
-std::uint8_t byte(float value) { return static_cast<std::uint8_t>(value * 255.0F + 0.5F); }
+std::uint8_t byte(float value) { return static_cast<std::uint8_t>(std::lround(value * 255.0F)); }
 
 }  // namespace
 
