@@ -69,8 +69,8 @@ struct Row {
 };
 
 /// Calls f(value, lanes) once for each distinct value of `id` among the active lanes: what follows
-/// then reads tables with plain loads and branches on plain numbers. Gathering one row per lane
-/// instead cost twice the time of the whole step on AVX2 (docs/performance.md).
+/// then reads tables with plain loads and branches on plain numbers. Gathering a row per lane
+/// instead was slower (docs/performance.md).
 template <class F>
 void for_each_distinct(Int id, Mask active, F f) {
   alignas(64) std::uint32_t ids[kLanes];
