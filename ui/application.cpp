@@ -72,7 +72,9 @@ void Application::take_results() {
     const bool asked = snapshots_asked_ > 0;
     if (asked) --snapshots_asked_;
     if (asked || bench_.snapshots.automatic) {
-      bench_.snapshots.keep(frame, bench_.editor.scene, bench_.editor.title(), listed, bench_.jobs);
+      // Edits would pile up files at each count; a picture that somebody asked for stays.
+      bench_.snapshots.keep(frame, bench_.editor.scene, bench_.editor.title(), listed && !asked,
+                            bench_.jobs);
     }
   }
   if (const auto latest = session_->latest(); latest && latest->serial != shown_serial_) {

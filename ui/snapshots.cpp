@@ -53,9 +53,12 @@ std::filesystem::path snapshot_path(const std::string& pattern, const std::strin
 
 void SnapshotLog::keep(const std::shared_ptr<const Frame>& frame, const Scene& scene,
                        const std::string& title, bool replace, BackgroundJobs& jobs) {
-  std::filesystem::path file = snapshot_path(pattern, title, frame->spp);
-  if (!replace || own_files_.count(file) == 0) file = free_name(file, own_files_);
-  own_files_.insert(file);
+  const std::filesystem::path wanted = snapshot_path(pattern, title, frame->spp);
+  const auto earlier = replaceable_.find(wanted);
+  const std::filesystem::path file =
+      replace && earlier != replaceable_.end() ? earlier->second : free_name(wanted, taken_);
+  taken_.insert(file);
+  if (replace) replaceable_[wanted] = file;
   // The list shows files; one that is about to be replaced is no longer there.
   std::erase_if(entries_, [&](const auto& entry) { return entry->file == file && entry->written; });
 

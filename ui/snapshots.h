@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -36,8 +37,8 @@ class SnapshotLog {
   /// Whether the counts in RenderSettings::snapshots are written when reached.
   bool automatic = true;
 
-  /// Writes the picture. A file that this run wrote for the same name is replaced if `replace`, any
-  /// other is kept and the new one numbered.
+  /// Writes the picture, under a number if its name is taken. With `replace` it takes the place of
+  /// the picture that this log kept under the same name with `replace`, and of no other file.
   void keep(const std::shared_ptr<const Frame>& frame, const Scene& scene, const std::string& title,
             bool replace, BackgroundJobs& jobs);
 
@@ -46,7 +47,8 @@ class SnapshotLog {
 
  private:
   std::vector<std::unique_ptr<Snapshot>> entries_;
-  std::set<std::filesystem::path> own_files_;
+  std::set<std::filesystem::path> taken_;                               ///< perhaps not written yet
+  std::map<std::filesystem::path, std::filesystem::path> replaceable_;  ///< file by wanted name
 };
 
 }  // namespace lightbench::ui

@@ -79,8 +79,62 @@ TEST_F(Files, SnapshotNowIsWrittenAndListed) {
   EXPECT_NE(entries.front()->thumbnail.texture(), 0U);
   const Image image = read_image(folder_ / "untitled-4.exr");
   EXPECT_EQ(image.width, 40);
-  // The same name again is numbered, not overwritten.
-  EXPECT_EQ(entries.size(), 1U);
+}
+
+TEST_F(Files, ASecondSnapshotOfTheSameNameIsNumbered) {
+  std::ofstream(folder_ / "untitled-4-2.exr") << "somebody else's";
+  Interface interface(small_scene());
+  // Also where the count is one of those written by themselves.
+  interface.scene().render.snapshots = {4};
+  interface.bench().snapshots.pattern = (folder_ / "{scene}-{spp}.exr").string();
+  interface.settle(4);
+  const auto& entries = interface.bench().snapshots.entries();
+  const auto snapshot = [&] {
+    const std::size_t count = entries.size() + 1;
+    interface.run([](ImGuiTestContext* ctx) { ctx->KeyPress(ImGuiKey_F12); });
+    return interface.wait([&] {
+      return entries.size() == count && entries.front()->written &&
+             interface.bench().jobs.pending() == 0;
+    });
+  };
+  ASSERT_TRUE(snapshot());
+  const Image first = read_image(folder_ / "untitled-4.exr");
+  // The edit makes another picture, and the file it would be written to by itself.
+  interface.bench().snapshots.automatic = true;
+  interface.scene().environment.color = glm::dvec3(1);
+  interface.settle(4);
+  ASSERT_TRUE(interface.wait([&] {
+    return fs::exists(folder_ / "untitled-4-3.exr") && interface.bench().jobs.pending() == 0;
+  }));
+  ASSERT_TRUE(snapshot());
+  EXPECT_EQ(read_image(folder_ / "untitled-4.exr").rgb, first.rgb);
+  EXPECT_NE(read_image(folder_ / "untitled-4-3.exr").rgb, first.rgb);
+  EXPECT_TRUE(fs::exists(folder_ / "untitled-4-4.exr"));
+  EXPECT_EQ(fs::file_size(folder_ / "untitled-4-2.exr"), 15U);
+  EXPECT_EQ(entries.size(), 3U);
+}
+
+TEST_F(Files, AnEditReplacesOnlyWhatTheSameRunWroteByItself) {
+  std::ofstream(folder_ / "untitled-2.ppm") << "of an earlier run";
+  Scene scene = small_scene();
+  scene.render.snapshots = {2};
+  Interface interface(std::move(scene));
+  interface.bench().snapshots.pattern = (folder_ / "{scene}-{spp}.ppm").string();
+  interface.bench().snapshots.automatic = true;
+  const auto written = [&] {
+    interface.settle(4);
+    EXPECT_TRUE(interface.wait([&] {
+      const auto& entries = interface.bench().snapshots.entries();
+      return !entries.empty() && entries.front()->written && interface.bench().jobs.pending() == 0;
+    }));
+    return read_image(folder_ / "untitled-2-2.ppm").rgb;
+  };
+  interface.bench().request(Action::Restart);
+  const std::vector<float> before = written();
+  interface.scene().camera.vfov = 60;
+  EXPECT_NE(written(), before);
+  EXPECT_EQ(fs::file_size(folder_ / "untitled-2.ppm"), 17U);
+  EXPECT_FALSE(fs::exists(folder_ / "untitled-2-3.ppm"));
 }
 
 TEST_F(Files, SnapshotsComeAtTheCountsAndGoOn) {
