@@ -24,63 +24,129 @@ struct NearestHit {
 
 inline NearestHit no_hit(Real t_max) { return {t_max, Int(kNoHit), Int(0U), Real(0), Real(0)}; }
 
-/// Interval of solid primitive i (not a mesh).
-inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
+constexpr bool is_planar(PrimitiveKind kind) {
+  return kind == PrimitiveKind::Disc || kind == PrimitiveKind::Rectangle ||
+         kind == PrimitiveKind::Triangle;
+}
+
+/// Interval of solid primitive i of the given kind.
+template <PrimitiveKind kKind>
+Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
   const Row row{scene.rows + scene.row[i]};
+  if constexpr (kKind == PrimitiveKind::Sphere) return hit_sphere(sphere_at(row, ray.time), ray);
+  if constexpr (kKind == PrimitiveKind::Ellipsoid) {
+    return hit_ellipsoid(ellipsoid_at(row, ray.time), ray);
+  }
+  if constexpr (kKind == PrimitiveKind::Cylinder) return hit_cylinder(cylinder_at(row), ray);
+  if constexpr (kKind == PrimitiveKind::EllipticCylinder) {
+    return hit_elliptic_cylinder(elliptic_cylinder_at(row), ray);
+  }
+  if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(pyramid_at(row), ray);
+  if constexpr (kKind == PrimitiveKind::Box) return hit_box(box_at(row), ray);
+}
+
+/// Calls f.operator()<kind>() for the kind of primitive i, which is not a mesh.
+template <class F>
+auto with_kind(const SceneView<T>& scene, std::uint32_t i, F f) {
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:
-      return hit_sphere(sphere_at(row, ray.time), ray);
+      return f.template operator()<PrimitiveKind::Sphere>();
     case PrimitiveKind::Ellipsoid:
-      return hit_ellipsoid(ellipsoid_at(row, ray.time), ray);
+      return f.template operator()<PrimitiveKind::Ellipsoid>();
     case PrimitiveKind::Cylinder:
-      return hit_cylinder(cylinder_at(row), ray);
+      return f.template operator()<PrimitiveKind::Cylinder>();
     case PrimitiveKind::EllipticCylinder:
-      return hit_elliptic_cylinder(elliptic_cylinder_at(row), ray);
+      return f.template operator()<PrimitiveKind::EllipticCylinder>();
+    case PrimitiveKind::Disc:
+      return f.template operator()<PrimitiveKind::Disc>();
+    case PrimitiveKind::Rectangle:
+      return f.template operator()<PrimitiveKind::Rectangle>();
+    case PrimitiveKind::Triangle:
+      return f.template operator()<PrimitiveKind::Triangle>();
     case PrimitiveKind::Pyramid:
-      return hit_pyramid(pyramid_at(row), ray);
+      return f.template operator()<PrimitiveKind::Pyramid>();
     default:
-      return hit_box(box_at(row), ray);
+      return f.template operator()<PrimitiveKind::Box>();
   }
 }
 
+/// The same for a kind known only at run time, such as a medium's boundary.
+inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
+  return with_kind(scene, i, [&]<PrimitiveKind kKind>() -> Interval {
+    if constexpr (is_planar(kKind)) {
+      return {Real(0), Real(0), Mask(false)};
+    } else {
+      return solid_interval<kKind>(scene, i, ray);
+    }
+  });
+}
+
+/// Of equal distances the primitive with the smaller index wins. Where primitives are tested by
+/// rising index, the first simply stays.
+enum class TestOrder { Rising, Any };
+
 /// Ray against analytic primitive i in all active lanes.
-template <bool kShadow>
-void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
-                    NearestHit& hit) {
+template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
+inline void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
+                           NearestHit& hit) {
   const Row row{scene.rows + scene.row[i]};
   const Mask self = ray.from == Int(i);
-  const Mask target = kShadow ? ray.skip == Int(i) : Mask(false);
   const auto report = [&](Real t, Mask m) {
-    m = m && active && (t < hit.t || (t == hit.t && Int(i) < hit.primitive));
+    Mask nearer = t < hit.t;
+    if (kOrder == TestOrder::Any) nearer = nearer || (t == hit.t && Int(i) < hit.primitive);
+    m = m && active && nearer;
     hit.t = select(m, t, hit.t);
     hit.primitive = select(m, Int(i), hit.primitive);
     return m;
   };
-  switch (static_cast<PrimitiveKind>(scene.kind[i])) {
-    case PrimitiveKind::Disc: {
-      const PlaneHit h = hit_disc(disc_at(row), ray);
-      report(h.t, h.hit && !self && !target && h.t > Real(0));
-      break;
-    }
-    case PrimitiveKind::Rectangle: {
-      const PlaneHit h = hit_rectangle(rectangle_at(row), ray);
-      report(h.t, h.hit && !self && !target && h.t > Real(0));
-      break;
-    }
-    case PrimitiveKind::Triangle: {
+  if constexpr (is_planar(kKind)) {
+    const Mask barred = kShadow ? self || ray.skip == Int(i) : self;
+    if constexpr (kKind == PrimitiveKind::Triangle) {
       const TriangleHit h = hit_triangle(triangle_at(row), ray);
-      const Mask m = report(h.t, h.hit && !self && !target && h.t > Real(0));
+      const Mask m = report(h.t, h.hit && !barred && h.t > Real(0));
       hit.b1 = select(m, h.b1, hit.b1);
       hit.b2 = select(m, h.b2, hit.b2);
-      break;
+    } else {
+      PlaneHit h;
+      if constexpr (kKind == PrimitiveKind::Disc) h = hit_disc(disc_at(row), ray);
+      if constexpr (kKind == PrimitiveKind::Rectangle) h = hit_rectangle(rectangle_at(row), ray);
+      report(h.t, h.hit && !barred && h.t > Real(0));
     }
-    default: {
-      const Interval s = solid_interval(scene, i, ray);
-      const Mask entry = s.hit && s.near > Real(0) && !self && (!target || ray.skip_back);
-      const Mask exit = s.hit && s.far > Real(0) && (!self || ray.inside) && !target;
-      report(select(entry, s.near, s.far), entry || exit);
+  } else {
+    const Interval s = solid_interval<kKind>(scene, i, ray);
+    Mask entry = s.hit && s.near > Real(0) && !self;
+    Mask exit = s.hit && s.far > Real(0) && (!self || ray.inside);
+    if (kShadow) {
+      const Mask target = ray.skip == Int(i);
+      entry = entry && (!target || ray.skip_back);
+      exit = exit && !target;
     }
+    report(select(entry, s.near, s.far), entry || exit);
   }
+}
+
+/// All surfaces of one kind.
+template <bool kShadow, PrimitiveKind kKind>
+inline void test_run(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+  constexpr auto k = static_cast<unsigned>(kKind);
+  const std::uint32_t end = scene.kind_begin[k + 1];
+  for (std::uint32_t i = scene.kind_begin[k]; i < end; ++i) {
+    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
+  }
+}
+
+/// Every surface against all lanes.
+template <bool kShadow>
+void test_all(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+  test_run<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Pyramid>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Box>(scene, ray, active, hit);
 }
 
 /// One ray as plain numbers, for walking a tree.
@@ -272,9 +338,7 @@ inline Ray broadcast_ray(const SingleRay& s) {
 template <bool kShadow>
 void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
   if (scene.nodes == nullptr) {
-    for (std::uint32_t i = 0; i < scene.surface_count; ++i) {
-      test_primitive<kShadow>(scene, i, ray, active, hit);
-    }
+    test_all<kShadow>(scene, ray, active, hit);
     return;
   }
   const RayTable rays(ray);
@@ -306,7 +370,9 @@ void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHi
         } else {
           NearestHit h{Real(t[lane]), Int(primitive[lane]), Int(0U), Real(b1[lane]),
                        Real(b2[lane])};
-          test_primitive<kShadow>(scene, i, all, Mask(true), h);
+          with_kind(scene, i, [&]<PrimitiveKind kKind>() {
+            test_primitive<kShadow, kKind, TestOrder::Any>(scene, i, all, Mask(true), h);
+          });
           t[lane] = first(h.t);
           b1[lane] = first(h.b1);
           b2[lane] = first(h.b2);
@@ -322,39 +388,39 @@ void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHi
 
 /// Surface of the hits on primitive i; meaningful in the active lanes, all of which hit it.
 inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i, const Ray& ray,
-                          const NearestHit& hit, Mask active, bool with_uv) {
+                          const NearestHit& hit, Mask active, Coordinates uv) {
   const Row row{scene.rows + scene.row[i]};
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:
-      return surface_sphere(sphere_at(row, ray.time), ray, hit.t, with_uv);
+      return surface_sphere(sphere_at(row, ray.time), ray, hit.t, uv);
     case PrimitiveKind::Ellipsoid:
-      return surface_ellipsoid(ellipsoid_at(row, ray.time), ray, hit.t, with_uv);
+      return surface_ellipsoid(ellipsoid_at(row, ray.time), ray, hit.t, uv);
     case PrimitiveKind::Cylinder:
-      return surface_cylinder(cylinder_at(row), ray, hit.t, with_uv);
+      return surface_cylinder(cylinder_at(row), ray, hit.t, uv);
     case PrimitiveKind::EllipticCylinder:
-      return surface_elliptic_cylinder(elliptic_cylinder_at(row), ray, hit.t, with_uv);
+      return surface_elliptic_cylinder(elliptic_cylinder_at(row), ray, hit.t, uv);
     case PrimitiveKind::Disc:
-      return surface_disc(disc_at(row), ray, hit.t, with_uv);
+      return surface_disc(disc_at(row), ray, hit.t, uv);
     case PrimitiveKind::Rectangle:
-      return surface_rectangle(rectangle_at(row), ray, hit.t);
+      return surface_rectangle(rectangle_at(row), ray, hit.t, uv);
     case PrimitiveKind::Triangle:
-      return surface_triangle(triangle_at(row), hit.b1, hit.b2);
+      return surface_triangle(triangle_at(row), hit.b1, hit.b2, uv);
     case PrimitiveKind::Pyramid:
-      return surface_pyramid(pyramid_at(row), ray, hit.t);
+      return surface_pyramid(pyramid_at(row), ray, hit.t, uv);
     case PrimitiveKind::Box:
-      return surface_box(box_at(row), ray, hit.t);
+      return surface_box(box_at(row), ray, hit.t, uv);
     case PrimitiveKind::Mesh:
       break;
   }
   return surface_mesh(mesh_at(row), fetch_triangle(mesh_of(scene, i), hit.slot, active), hit.b1,
-                      hit.b2);
+                      hit.b2, uv);
 }
 
+/// All but the tangent, which paths have no use for.
 inline void merge(Mask m, const Surface& from, Surface& into) {
   into.p = select(m, from.p, into.p);
   into.ng = select(m, from.ng, into.ng);
   into.ns = select(m, from.ns, into.ns);
-  into.tangent = select(m, from.tangent, into.tangent);
   into.u = select(m, from.u, into.u);
   into.v = select(m, from.v, into.v);
 }

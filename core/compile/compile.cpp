@@ -57,6 +57,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v = {};
   v.surface_count = g.surface_count;
   v.kind = g.kind.data();
+  const auto surfaces_end = g.kind.begin() + g.surface_count;
+  for (unsigned k = 0; k <= kPrimitiveKinds; ++k) {
+    v.kind_begin[k] = static_cast<std::uint32_t>(std::lower_bound(g.kind.begin(), surfaces_end, k) -
+                                                 g.kind.begin());
+  }
   v.row = g.row.data();
   v.rows = g.rows.data();
   v.offset = g.offset.data();

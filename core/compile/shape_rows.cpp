@@ -127,6 +127,8 @@ ShapeRow row_of(const DiscShape& s, const Map& map) {
   append(r.numbers, normal);
   append(r.numbers, a);
   append(r.numbers, b);
+  append(r.numbers, a / dot(a, a));
+  append(r.numbers, b / dot(b, b));
   r.area = kPi * length(a) * length(b);
   return r;
 }

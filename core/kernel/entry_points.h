@@ -22,7 +22,8 @@ inline KernelHit trace_one(const SceneView<T>& scene, const KernelRay& query) {
   find_hits<false>(scene, ray, Mask(true), hit);
   KernelHit k;
   if (first(hit.primitive) == kNoHit) return k;
-  const Surface s = surface_of(scene, first(hit.primitive), ray, hit, Mask(true), true);
+  const Surface s =
+      surface_of(scene, first(hit.primitive), ray, hit, Mask(true), Coordinates::Wanted);
   const auto put = [](Vec v, double(&out)[3]) {
     out[0] = static_cast<double>(first(v.x));
     out[1] = static_cast<double>(first(v.y));

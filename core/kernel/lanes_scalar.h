@@ -24,8 +24,6 @@ inline bool any(Mask m) { return m; }
 inline bool none(Mask m) { return !m; }
 inline std::uint32_t bits(Mask m) { return m ? 1U : 0U; }
 inline Mask mask_from_bits(std::uint32_t b) { return (b & 1U) != 0; }
-/// Position of each set lane among the set lanes, counted from 0.
-inline Int rank(Mask) { return 0; }
 inline Int lane_index() { return 0; }
 
 // Ordered so that a NaN in `a` loses: both return `b` then (the x86 instructions' rule).
@@ -64,6 +62,16 @@ inline Real load(const float* p) { return static_cast<Real>(*p); }
 inline Int load(const std::uint32_t* p) { return *p; }
 inline void store(T* p, Real a) { *p = a; }
 inline void store(std::uint32_t* p, Int a) { *p = a; }
+/// The set lanes take consecutive numbers from p on; the others keep `old`.
+inline Real expand(Mask m, const T* p, Real old) { return m ? *p : old; }
+inline Int expand(Mask m, const std::uint32_t* p, Int old) { return m ? *p : old; }
+
+inline Int reverse_bits(Int x) {
+  x = ((x >> 1) & 0x55555555U) | ((x & 0x55555555U) << 1);
+  x = ((x >> 2) & 0x33333333U) | ((x & 0x33333333U) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fU) | ((x & 0x0f0f0f0fU) << 4);
+  return __builtin_bswap32(x);
+}
 
 /// Lane 0.
 inline T first(Real a) { return a; }

@@ -204,14 +204,56 @@ inline void store(float* p, Real a) { LB_INTRINSIC(storeu_ps)(p, a.v); }
 inline T first(Real a) { return a.v[0]; }
 inline std::uint32_t first(Int a) { return a.v[0]; }
 
-/// Position of each set lane among the set lanes, counted from 0.
-inline Int rank(Mask m) {
-  alignas(64) std::uint32_t position[kLanes];
-  const std::uint32_t set = bits(m);
-  for (unsigned i = 0; i < kLanes; ++i) {
-    position[i] = static_cast<std::uint32_t>(__builtin_popcount(set & ((1U << i) - 1U)));
+/// The set lanes take consecutive numbers from p on; the others keep `old`. Reads kLanes numbers
+/// from p whatever the mask.
+#if LIGHTBENCH_LANES == 16
+inline Int expand(Mask m, const std::uint32_t* p, Int old) {
+  return Int(IntLanes(_mm512_mask_expand_epi32(IntRegister(old.v), m.m, _mm512_loadu_si512(p))));
+}
+#else
+/// For each mask of eight lanes, the position of each set lane among the set ones, a byte each.
+struct ExpandTable {
+  std::uint64_t positions[256];
+  constexpr ExpandTable() : positions() {
+    for (unsigned m = 0; m < 256; ++m) {
+      std::uint64_t next = 0;
+      for (unsigned i = 0; i < 8; ++i) {
+        if ((m >> i & 1U) != 0) positions[m] |= next++ << (8 * i);
+      }
+    }
   }
-  return load(position);
+};
+inline constexpr ExpandTable kExpandTable;
+inline Int expand(Mask m, const std::uint32_t* p, Int old) {
+  const __m256i positions = _mm256_cvtepu8_epi32(
+      _mm_cvtsi64_si128(static_cast<long long>(kExpandTable.positions[bits(m)])));
+  return select(m, Int(IntLanes(_mm256_permutevar8x32_epi32(IntRegister(load(p).v), positions))),
+                old);
+}
+#endif
+inline Real expand(Mask m, const float* p, Real old) {
+  return as_real(expand(m, reinterpret_cast<const std::uint32_t*>(p), as_int(old)));
+}
+
+/// Half bytes by table, then bytes in reverse order.
+inline Int reverse_bits(Int x) {
+  const auto in_each_16 = [](__m128i row) {
+#if LIGHTBENCH_LANES == 16
+    return _mm512_broadcast_i32x4(row);
+#else
+    return _mm256_broadcastsi128_si256(row);
+#endif
+  };
+  const IntRegister reversed_half =
+      in_each_16(_mm_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15));
+  const IntRegister reversed_bytes =
+      in_each_16(_mm_setr_epi8(3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12));
+  const Int half_mask(0x0f0f0f0fU);
+  const auto lookup = [&](Int half) {
+    return Int(IntLanes(LB_INTRINSIC(shuffle_epi8)(reversed_half, IntRegister(half.v))));
+  };
+  const Int swapped = (lookup(x & half_mask) << 4) | lookup((x >> 4) & half_mask);
+  return Int(IntLanes(LB_INTRINSIC(shuffle_epi8)(IntRegister(swapped.v), reversed_bytes)));
 }
 
 #undef LB_INTRINSIC

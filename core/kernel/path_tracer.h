@@ -3,153 +3,15 @@
 // heuristic). One path per lane, advanced one vertex at a time; a lane whose path ends takes the
 // next (pixel, sample) at once, so lanes never idle while work is left.
 
-#include "core/camera/camera.h"
-#include "core/compile/render_scene.h"
-#include "core/film/film.h"
+#include "core/kernel/path_starts.h"
+#include "core/kernel/paths.h"
+#include "core/kernel/splat.h"
 #include "core/lights/environment.h"
 #include "core/lights/light.h"
 #include "core/materials/scatter.h"
 #include "core/media/medium.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-/// The state of the paths in flight.
-struct Paths {
-  Ray ray;
-  Vec throughput, radiance;
-  Real pdf;             ///< of the ray's direction, solid angle; 0 after the camera or a delta lobe
-  Real roulette_scale;  ///< undoes the radiance scaling of refraction when judging a path's worth
-  Int segments;         ///< path segments traced
-  Int pixel;            ///< film index
-  Int sample;
-  Sampler sampler;
-  Mask alive;
-};
-
-inline Paths select(Mask m, const Paths& a, const Paths& b) {
-  Paths r;
-  r.ray.o = select(m, a.ray.o, b.ray.o);
-  r.ray.d = select(m, a.ray.d, b.ray.d);
-  r.ray.time = select(m, a.ray.time, b.ray.time);
-  r.ray.from = select(m, a.ray.from, b.ray.from);
-  r.ray.from_slot = select(m, a.ray.from_slot, b.ray.from_slot);
-  r.ray.inside = select(m, a.ray.inside, b.ray.inside);
-  r.ray.skip = r.ray.skip_slot = Int(kNoHit);
-  r.ray.skip_back = false;
-  r.throughput = select(m, a.throughput, b.throughput);
-  r.radiance = select(m, a.radiance, b.radiance);
-  r.pdf = select(m, a.pdf, b.pdf);
-  r.roulette_scale = select(m, a.roulette_scale, b.roulette_scale);
-  r.segments = select(m, a.segments, b.segments);
-  r.pixel = select(m, a.pixel, b.pixel);
-  r.sample = select(m, a.sample, b.sample);
-  r.sampler.pixel_key = select(m, a.sampler.pixel_key, b.sampler.pixel_key);
-  r.sampler.reversed_index = select(m, a.sampler.reversed_index, b.sampler.reversed_index);
-  r.alive = select(m, a.alive, b.alive);
-  return r;
-}
-
-/// The samples of a Work, pixel by pixel, numbered 0 .. count - 1.
-struct Jobs {
-  const Work& work;
-  int film_width;
-  std::uint32_t next = 0, count;
-  Jobs(const Work& w, int width)
-      : work(w),
-        film_width(width),
-        count(static_cast<std::uint32_t>(w.x1 - w.x0) * static_cast<std::uint32_t>(w.y1 - w.y0) *
-              w.sample_count) {}
-};
-
-/// Fresh paths in the lanes of `dead`, as far as jobs are left.
-inline Paths start_paths(const SceneView<T>& scene, Jobs& jobs, Mask dead) {
-  alignas(64) std::uint32_t xs[kLanes] = {}, ys[kLanes] = {}, samples[kLanes] = {},
-                            pixels[kLanes] = {};
-  std::uint32_t started = 0;
-  const auto columns = static_cast<std::uint32_t>(jobs.work.x1 - jobs.work.x0);
-  const auto stride = static_cast<std::uint32_t>(jobs.work.stride);
-  for (std::uint32_t m = bits(dead); m != 0 && jobs.next < jobs.count; m &= m - 1) {
-    const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-    const std::uint32_t job = jobs.next++;
-    const std::uint32_t cell = job / jobs.work.sample_count;
-    samples[lane] = jobs.work.first_sample + job % jobs.work.sample_count;
-    const std::uint32_t film_x = static_cast<std::uint32_t>(jobs.work.x0) + cell % columns;
-    const std::uint32_t film_y = static_cast<std::uint32_t>(jobs.work.y0) + cell / columns;
-    pixels[lane] = film_y * static_cast<std::uint32_t>(jobs.film_width) + film_x;
-    // Of the picture: a window of it holds the very samples of the whole.
-    xs[lane] = film_x * stride + static_cast<std::uint32_t>(scene.camera.crop_x);
-    ys[lane] = film_y * stride + static_cast<std::uint32_t>(scene.camera.crop_y);
-    started |= 1U << lane;
-  }
-  const CameraView<T>& camera = scene.camera;
-  Paths p;
-  p.sample = load(samples);
-  p.pixel = load(pixels);
-  const Int x = load(xs), y = load(ys);
-  p.sampler.pixel_key = hash(hash(x, y), Int(scene.seed));
-  p.sampler.reversed_index = reverse_bits(p.sample);
-  const Vec2 u = p.sampler.pair(Int(dimension::kFilter));
-  // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands for.
-  const Vec2 offset =
-      jobs.work.stride == 1 ? sample_filter(camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};
-  p.ray =
-      camera_ray(camera, to_real(x) + (T(0.5) + offset.x) * static_cast<T>(jobs.work.stride),
-                 to_real(y) + (T(0.5) + offset.y) * static_cast<T>(jobs.work.stride), p.sampler);
-  p.throughput = Vec(Real(1));
-  p.radiance = Vec(Real(0));
-  p.pdf = Real(0);
-  p.roulette_scale = Real(1);
-  p.segments = Int(0U);
-  p.alive = mask_from_bits(started);
-  return p;
-}
-
-/// Adds the finished paths of `done` to the film. A sample that is not finite or beyond the film's
-/// range is dropped and counted, with the place of the first.
-inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, const Work& work,
-                  FilmView film, Counters& counters) {
-  alignas(64) T rgb[3][kLanes], luminances[kLanes];
-  alignas(64) std::uint32_t pixels[kLanes], samples[kLanes], dither[kLanes];
-  const Vec value = paths.radiance * Real(scene.inverse_film_unit);
-  store(rgb[0], value.x);
-  store(rgb[1], value.y);
-  store(rgb[2], value.z);
-  store(luminances, luminance(value));
-  store(pixels, paths.pixel);
-  store(samples, paths.sample);
-  // Rounding up or down by chance, with a number of the sample's own, keeps means unbiased however
-  // far they lie below the film's step.
-  store(dither, hash(paths.sampler.pixel_key, paths.sample));
-  constexpr auto kLimit = static_cast<T>(kFilmSampleLimit);
-  constexpr auto kStep = static_cast<double>(std::int64_t{1} << kFilmBits);
-  constexpr auto kSquareStep = static_cast<double>(std::int64_t{1} << kFilmSquareBits);
-  for (std::uint32_t m = bits(done); m != 0; m &= m - 1) {
-    const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-    ++counters.paths;
-    const T r = rgb[0][lane], g = rgb[1][lane], b = rgb[2][lane];
-    if (!(r >= T(0) && g >= T(0) && b >= T(0) && r <= kLimit && g <= kLimit && b <= kLimit)) {
-      if (counters.non_finite++ == 0) {
-        const auto width = static_cast<std::uint32_t>(film.width);
-        counters.bad_x = static_cast<int>(pixels[lane] % width) * work.stride + scene.camera.crop_x;
-        counters.bad_y = static_cast<int>(pixels[lane] / width) * work.stride + scene.camera.crop_y;
-        counters.bad_sample = samples[lane];
-      }
-      continue;
-    }
-    FilmPixel& pixel = film.pixels[pixels[lane]];
-    const double chance = dither[lane] * 0x1p-32;
-    const auto steps = [chance](double x) { return static_cast<std::int64_t>(x + chance); };
-    pixel.r += steps(static_cast<double>(r) * kStep);
-    pixel.g += steps(static_cast<double>(g) * kStep);
-    pixel.b += steps(static_cast<double>(b) * kStep);
-    const auto y = static_cast<double>(luminances[lane]);
-    const std::int64_t squared = steps(y * y * kSquareStep);
-    // Saturating, which for sums of non-negative numbers does not depend on their order either.
-    if (__builtin_add_overflow(pixel.luminance_squared, squared, &pixel.luminance_squared)) {
-      pixel.luminance_squared = INT64_MAX;
-    }
-  }
-}
 
 /// Where the paths scatter next: a surface point or a point in a medium.
 struct Vertex {
@@ -167,13 +29,15 @@ struct Vertex {
 /// Surface and material of the hits, with textures.
 inline void find_surface(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
                          Mask active, Vertex& v) {
-  v.surface.p = v.surface.ng = v.surface.ns = v.surface.tangent = v.object_point = Vec(Real(0));
+  v.surface.p = v.surface.ng = v.surface.ns = v.object_point = Vec(Real(0));
   v.material = black_material();
   v.offset = Real(0);
   for_each_distinct(hit.primitive, active, [&](std::uint32_t i, Mask m) {
-    merge(m, surface_of(scene, i, ray, hit, m, scene.needs_uv), v.surface);
-    merge(m, material_at(scene.materials + std::size_t{scene.material[i]} * kMaterialStride),
-          v.material);
+    const Row material{scene.materials + std::size_t{scene.material[i]} * kMaterialStride};
+    const Coordinates uv =
+        scene.needs_uv && is_textured(material) ? Coordinates::Wanted : Coordinates::None;
+    merge(m, surface_of(scene, i, ray, hit, m, uv), v.surface);
+    merge(m, material_at(material), v.material);
     v.offset = select(m, Real(scene.offset[i]), v.offset);
     if (scene.to_object != nullptr) {
       const Affine to_object = affine_at({scene.to_object + std::size_t{12} * i}, 0);
@@ -353,9 +217,10 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
     add_direct_light(scene, v, frame, dimension_base, lit, paths, counters);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
-  const Real u_lobe = scene.has_dielectric || scene.has_fuzz
-                          ? paths.sampler.pair(dimension_base + Int(dimension::kDistance)).x
-                          : Real(0);
+  const Mask wants_lobe =
+      is_kind(v.material, BsdfKind::Dielectric) || is_kind(v.material, BsdfKind::Fuzz);
+  const Real u_lobe =
+      any(wants_lobe) ? paths.sampler.pair(dimension_base + Int(dimension::kDistance)).x : Real(0);
   BsdfSample next = sample_bsdf(scene, v.material, frame, v.wo, v.front, u, u_lobe);
   const Mask same_side = dot(next.wi, v.ng) > Real(0);
   // Shading normals can send a reflection below the real surface, or a refraction above it.
@@ -398,18 +263,17 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
 
 inline void render_work(const SceneView<T>& scene, const Work& work, FilmView film,
                         Counters& counters) {
-  Jobs jobs(work, film.width);
-  Paths paths = start_paths(scene, jobs, Mask(true));
-  Mask used = paths.alive;
+  PathStarts starts(scene, work, film);
+  Paths paths{};
+  paths.ray.skip = paths.ray.skip_slot = Int(kNoHit);
+  paths.ray.skip_back = paths.alive = Mask(false);
+  Mask used = starts.fill(Mask(true), paths);
   while (any(used)) {
     step(scene, paths, counters);
     const Mask done = used && !paths.alive;
     if (none(done)) continue;
     splat(scene, paths, done, work, film, counters);
-    if (jobs.next < jobs.count) {
-      paths = select(done, start_paths(scene, jobs, done), paths);
-    }
-    used = paths.alive;
+    used = paths.alive || starts.fill(done, paths);
   }
 }
 

@@ -21,6 +21,7 @@ enum class PrimitiveKind : std::uint32_t {
   Box,
   Mesh,
 };
+inline constexpr unsigned kPrimitiveKinds = 10;
 
 enum class BsdfKind : std::uint32_t { Black, Lambertian, Mirror, Fuzz, Ggx, Dielectric };
 
@@ -74,6 +75,8 @@ struct SceneView {
   // Primitives: [0, surface_count) are surfaces, the rest are boundaries of media.
   std::uint32_t surface_count = 0;
   const std::uint32_t* kind = nullptr;
+  /// Surfaces are sorted by kind: those of kind k are [kind_begin[k], kind_begin[k + 1]).
+  std::uint32_t kind_begin[kPrimitiveKinds + 1] = {};
   const std::uint32_t* row = nullptr;  ///< offset of the primitive's numbers in `rows`
   const T* rows = nullptr;
   const T* offset = nullptr;  ///< bound on the error of a point on it, render space

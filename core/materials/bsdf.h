@@ -23,11 +23,13 @@ struct Material {
 };
 inline constexpr std::uint32_t kNoTexture = 0xffffffffU;
 
-inline Material material_at(const T* row) {
+inline bool is_textured(const Row& r) { return r.base[4] >= T(0) || r.base[11] >= T(0); }
+
+inline Material material_at(const Row& r) {
+  const T* row = r.base;
   const auto texture = [](T index) {
     return index < T(0) ? kNoTexture : static_cast<std::uint32_t>(index);
   };
-  const Row r{row};
   return {Int(static_cast<std::uint32_t>(row[0])),
           r.vec(1),
           r[5],

@@ -11,14 +11,6 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-inline Int reverse_bits(Int x) {
-  x = ((x >> 1) & Int(0x55555555U)) | ((x & Int(0x55555555U)) << 1);
-  x = ((x >> 2) & Int(0x33333333U)) | ((x & Int(0x33333333U)) << 2);
-  x = ((x >> 4) & Int(0x0f0f0f0fU)) | ((x & Int(0x0f0f0f0fU)) << 4);
-  x = ((x >> 8) & Int(0x00ff00ffU)) | ((x & Int(0x00ff00ffU)) << 8);
-  return (x >> 16) | (x << 16);
-}
-
 /// Owen scrambling of a number given with its bits reversed (Laine-Karras style hash).
 inline Int scramble_reversed(Int x, Int seed) {
   x ^= x * Int(0x3d20adeaU);
@@ -64,7 +56,8 @@ struct Sampler {
     Int x, y;
   };
   [[nodiscard]] Bits pair_bits(Int dimension_pair) const {
-    const Int key = hash(pixel_key, dimension_pair);
+    // Distinct for each dimension of a pixel: an odd step never repeats.
+    const Int key = hash(pixel_key + dimension_pair * Int(0x9e3779b9U));
     // Owen scrambling the index shuffles the order within every aligned block of 2^k samples, so
     // that pairs are independent of each other while each keeps its stratification.
     const Int index = reverse_bits(scramble_reversed(reversed_index, key));

@@ -35,30 +35,28 @@ inline BoxInterval hit_box_faces(const Box& s, const Ray& ray) {
   r.span.far = Real(kInfinity);
   r.near_axis = Int(0U);
   r.far_axis = Int(0U);
-  Mask outside_parallel = false;
   const Real fs[3] = {f.x, f.y, f.z}, ds[3] = {d.x, d.y, d.z},
              hs[3] = {s.half.x, s.half.y, s.half.z};
   for (unsigned i = 0; i < 3; ++i) {
-    const Mask parallel = ds[i] == Real(0);
-    const Real inverse = Real(1) / select(parallel, Real(1), ds[i]);
+    // A ray along the slab has infinite distances of opposite sign inside it, of equal sign
+    // outside.
+    const Real inverse = Real(1) / ds[i];
     const Real t0 = (-hs[i] - fs[i]) * inverse, t1 = (hs[i] - fs[i]) * inverse;
-    const Real near = select(parallel, Real(-kInfinity), min(t0, t1));
-    const Real far = select(parallel, Real(kInfinity), max(t0, t1));
-    outside_parallel = outside_parallel || (parallel && abs(fs[i]) >= hs[i]);
+    const Real near = min(t0, t1), far = max(t0, t1);
     const Mask enters = near > r.span.near, leaves = far < r.span.far;
     r.span.near = select(enters, near, r.span.near);
     r.near_axis = select(enters, Int(i), r.near_axis);
     r.span.far = select(leaves, far, r.span.far);
     r.far_axis = select(leaves, Int(i), r.far_axis);
   }
-  r.span.hit = r.span.near < r.span.far && !outside_parallel;
+  r.span.hit = r.span.near < r.span.far;
   return r;
 }
 
 inline Interval hit_box(const Box& s, const Ray& ray) { return hit_box_faces(s, ray).span; }
 
 /// uv: the two other coordinates of the face, each 0..1 from min to max.
-inline Surface surface_box(const Box& s, const Ray& ray, Real t) {
+inline Surface surface_box(const Box& s, const Ray& ray, Real t, Coordinates uv) {
   const BoxInterval i = hit_box_faces(s, ray);
   const Int axis = select(at_exit(i.span, t), i.far_axis, i.near_axis);
   const Vec q = to_box(s, madd(ray.d, t, ray.o - s.center));
@@ -67,8 +65,6 @@ inline Surface surface_box(const Box& s, const Ray& ray, Real t) {
   const Vec local{select(on_x, copysign(s.half.x, q.x), clamp(q.x, -s.half.x, s.half.x)),
                   select(on_y, copysign(s.half.y, q.y), clamp(q.y, -s.half.y, s.half.y)),
                   select(on_z, copysign(s.half.z, q.z), clamp(q.z, -s.half.z, s.half.z))};
-  const Vec share{(local.x / s.half.x + Real(1)) * T(0.5), (local.y / s.half.y + Real(1)) * T(0.5),
-                  (local.z / s.half.z + Real(1)) * T(0.5)};
   Surface r;
   r.p = s.center + from_box(s, local);
   const Vec n =
@@ -76,6 +72,9 @@ inline Surface surface_box(const Box& s, const Ray& ray, Real t) {
              select(on_y, s.axis[1] * copysign(Real(1), q.y), s.axis[2] * copysign(Real(1), q.z)));
   r.ng = n;
   r.ns = n;
+  if (uv == Coordinates::None) return r;
+  const Vec share{(local.x / s.half.x + Real(1)) * T(0.5), (local.y / s.half.y + Real(1)) * T(0.5),
+                  (local.z / s.half.z + Real(1)) * T(0.5)};
   r.u = select(on_x, share.z, share.x);
   r.v = select(on_y, share.z, share.y);
   r.tangent = select(on_x, s.axis[2], s.axis[0]);

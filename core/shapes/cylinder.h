@@ -63,7 +63,7 @@ inline Interval hit_cylinder(const Cylinder& c, const Ray& ray) {
 /// Surface in the cylinder's own frame, given the local point of the hit and whether it is on a
 /// cap. uv: u around the axis; v along the side, or the radius share on a cap.
 inline Surface surface_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd, Real t,
-                                bool with_uv) {
+                                Coordinates uv) {
   const CylinderInterval i = hit_cylinder(c, o, d, inverse_dd);
   const Mask exit = at_exit(i.span, t);
   const Mask cap = select(exit, i.far_cap, i.near_cap);
@@ -78,17 +78,16 @@ inline Surface surface_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd
   r.ns = r.ng;
   r.p = c.middle +
         madd(c.axis, select(cap, level, z), radial * select(cap, min(rho, c.radius), c.radius));
-  if (with_uv) {
-    const Vec binormal = cross(c.axis, c.meridian);
-    r.u = atan2(dot(radial, binormal), dot(radial, c.meridian)) * (kInvPi * T(0.5)) + Real(T(0.5));
-    r.v = select(cap, min(rho / c.radius, Real(1)), (z / c.half + Real(1)) * T(0.5));
-  }
+  if (uv == Coordinates::None) return r;
+  const Vec binormal = cross(c.axis, c.meridian);
+  r.u = atan2(dot(radial, binormal), dot(radial, c.meridian)) * (kInvPi * T(0.5)) + Real(T(0.5));
+  r.v = select(cap, min(rho / c.radius, Real(1)), (z / c.half + Real(1)) * T(0.5));
   r.tangent = cross(c.axis, radial);
   return r;
 }
 
-inline Surface surface_cylinder(const Cylinder& c, const Ray& ray, Real t, bool with_uv) {
-  return surface_cylinder(c, ray.o, ray.d, Real(1), t, with_uv);
+inline Surface surface_cylinder(const Cylinder& c, const Ray& ray, Real t, Coordinates uv) {
+  return surface_cylinder(c, ray.o, ray.d, Real(1), t, uv);
 }
 
 /// A point uniform over side and caps with its normal, both relative to the cylinder's frame.
@@ -151,14 +150,14 @@ inline Interval hit_elliptic_cylinder(const EllipticCylinder& e, const Ray& ray)
 }
 
 inline Surface surface_elliptic_cylinder(const EllipticCylinder& e, const Ray& ray, Real t,
-                                         bool with_uv) {
+                                         Coordinates uv) {
   const Vec d = e.to_local.vector(ray.d);
   Surface r = surface_cylinder(canonical_cylinder(), e.to_local.point(ray.o), d,
-                               Real(1) / length_squared(d), t, with_uv);
+                               Real(1) / length_squared(d), t, uv);
   r.p = e.to_world.point(r.p);
   r.ng = normalize(e.to_local.transposed(r.ng));
   r.ns = r.ng;
-  r.tangent = normalize(e.to_world.vector(r.tangent));
+  if (uv == Coordinates::Wanted) r.tangent = normalize(e.to_world.vector(r.tangent));
   return r;
 }
 

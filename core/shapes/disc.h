@@ -8,43 +8,43 @@
 LIGHTBENCH_KERNEL_BEGIN
 
 struct Disc {
-  static constexpr unsigned kRow = 12;
+  static constexpr unsigned kRow = 18;
   Vec center, n, u, v;  ///< u x v points along n
+  Vec dual_u, dual_v;   ///< dual_u . (p - center) is the first coordinate
 };
 
-inline Disc disc_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6), row.vec(9)}; }
+inline Disc disc_at(const Row& row) {
+  return {row.vec(0), row.vec(3), row.vec(6), row.vec(9), row.vec(12), row.vec(15)};
+}
 
-/// Ray parameter at the plane through `point`; a parallel ray misses.
-inline PlaneHit hit_plane(Vec point, Vec n, const Ray& ray) {
-  const Real cosine = dot(n, ray.d);
-  const Mask crosses = cosine != Real(0);
-  return {dot(n, point - ray.o) / select(crosses, cosine, Real(1)), crosses};
+/// Ray parameter at the plane through `point`. A parallel ray gives infinity or NaN, and so do the
+/// hit's coordinates then: every comparison with them fails, and the ray misses.
+inline Real distance_to_plane(Vec point, Vec n, const Ray& ray) {
+  return dot(n, point - ray.o) / dot(n, ray.d);
 }
 
 /// Coordinates of the hit on the semi-axes; on the unit disk inside the rim.
 inline Vec2 disc_coordinates(const Disc& s, const Ray& ray, Real t) {
   const Vec q = madd(ray.d, t, ray.o - s.center);
-  return {dot(q, s.u) / length_squared(s.u), dot(q, s.v) / length_squared(s.v)};
+  return {dot(q, s.dual_u), dot(q, s.dual_v)};
 }
 
 inline PlaneHit hit_disc(const Disc& s, const Ray& ray) {
-  PlaneHit h = hit_plane(s.center, s.n, ray);
-  const Vec2 c = disc_coordinates(s, ray, h.t);
-  h.hit = h.hit && c.x * c.x + c.y * c.y <= Real(1);
-  return h;
+  const Real t = distance_to_plane(s.center, s.n, ray);
+  const Vec2 c = disc_coordinates(s, ray, t);
+  return {t, fma(c.x, c.x, c.y * c.y) <= Real(1)};
 }
 
 /// uv: u around the normal, v the share of the radius.
-inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, bool with_uv) {
+inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, Coordinates uv) {
   const Vec2 c = disc_coordinates(s, ray, t);
   Surface r;
   r.p = madd(s.u, c.x, madd(s.v, c.y, s.center));
   r.ng = s.n;
   r.ns = s.n;
-  if (with_uv) {
-    r.u = atan2(c.y, c.x) * (kInvPi * T(0.5)) + Real(T(0.5));
-    r.v = sqrt(c.x * c.x + c.y * c.y);
-  }
+  if (uv == Coordinates::None) return r;
+  r.u = atan2(c.y, c.x) * (kInvPi * T(0.5)) + Real(T(0.5));
+  r.v = sqrt(c.x * c.x + c.y * c.y);
   const Vec around = s.v * c.x - s.u * c.y;
   r.tangent = normalize(select(length_squared(around) > Real(0), around, s.v));
   return r;
@@ -77,7 +77,7 @@ inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
   near = near && q.solid_angle > Real(kMinSolidAngle);
   const Vec w = sample_spherical_rectangle(q, u);
   const Vec p = w + (from - s.center);
-  const Real a = dot(p, s.u) / length_squared(s.u), b = dot(p, s.v) / length_squared(s.v);
+  const Real a = dot(p, s.dual_u), b = dot(p, s.dual_v);
   const Real d = length(w);
   r.d = select(near, w * (Real(1) / d), r.d);
   r.distance = select(near, d, r.distance);

@@ -56,7 +56,8 @@ inline Triangle to_world(const MeshInstance& m, const Triangle& t) {
 
 /// uv: the mesh's, or the barycentrics. The geometric normal follows the triangle's winding in
 /// object space whatever the instance's handedness.
-inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b1, Real b2) {
+inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b1, Real b2,
+                            Coordinates uv) {
   const Vec e1 = t.vertices.b - t.vertices.a, e2 = t.vertices.c - t.vertices.a;
   Surface r;
   r.p = m.to_world.point(madd(e1, b1, madd(e2, b2, t.vertices.a)));
@@ -67,6 +68,7 @@ inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b
   const Real squared = length_squared(ns);
   r.ns = select(squared > Real(0),
                 ns * (Real(1) / sqrt(select(squared > Real(0), squared, Real(1)))), r.ng);
+  if (uv == Coordinates::None) return r;
   r.u = t.has_uvs ? fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)) : b1;
   r.v = t.has_uvs ? fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)) : b2;
   // dp/du with v held; along the first edge where the uvs do not tell.

@@ -51,15 +51,14 @@ inline PyramidInterval hit_pyramid_faces(const Pyramid& s, const Ray& ray) {
   for (unsigned i = 0; i < 4; ++i) {
     const Real height = (i == 0 ? s.h0 : Real(0)) - dot(s.n[i], f);
     const Real slope = dot(s.n[i], ray.d);
-    const Mask parallel = slope == Real(0);
-    const Real t = height / select(parallel, Real(1), slope);
+    const Real t = height / slope;
     const Mask enters = slope < Real(0) && t > r.span.near;
     const Mask leaves = slope > Real(0) && t < r.span.far;
     r.span.near = select(enters, t, r.span.near);
     r.near_face = select(enters, Int(i), r.near_face);
     r.span.far = select(leaves, t, r.span.far);
     r.far_face = select(leaves, Int(i), r.far_face);
-    outside_parallel = outside_parallel || (parallel && height < Real(0));
+    outside_parallel = outside_parallel || (slope == Real(0) && height < Real(0));
   }
   r.span.hit = r.span.near < r.span.far && !outside_parallel;
   return r;
@@ -101,7 +100,7 @@ inline Triangle face_triangles(const Pyramid& s, Int face) {
 }
 
 /// uv: barycentrics of the face.
-inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t) {
+inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t, Coordinates uv) {
   const PyramidInterval i = hit_pyramid_faces(s, ray);
   const Int face = select(at_exit(i.span, t), i.far_face, i.near_face);
   const Triangle tri = face_triangles(s, face);
@@ -115,7 +114,7 @@ inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t) {
   r.p = madd(e1, r.u, madd(e2, r.v, tri.a));
   r.ng = face_normal(s, face);
   r.ns = r.ng;
-  r.tangent = normalize(e1);
+  if (uv == Coordinates::Wanted) r.tangent = normalize(e1);
   return r;
 }
 

@@ -18,14 +18,13 @@ inline Rectangle rectangle_at(const Row& row) {
 }
 
 inline PlaneHit hit_rectangle(const Rectangle& s, const Ray& ray) {
-  PlaneHit h = hit_plane(s.corner, s.n, ray);
-  const Vec q = madd(ray.d, h.t, ray.o - s.corner);
+  const Real t = distance_to_plane(s.corner, s.n, ray);
+  const Vec q = madd(ray.d, t, ray.o - s.corner);
   const Real a = dot(q, s.dual_u), b = dot(q, s.dual_v);
-  h.hit = h.hit && a >= Real(0) && a <= Real(1) && b >= Real(0) && b <= Real(1);
-  return h;
+  return {t, min(a, b) >= Real(0) && max(a, b) <= Real(1)};
 }
 
-inline Surface surface_rectangle(const Rectangle& s, const Ray& ray, Real t) {
+inline Surface surface_rectangle(const Rectangle& s, const Ray& ray, Real t, Coordinates uv) {
   const Vec q = madd(ray.d, t, ray.o - s.corner);
   Surface r;
   r.u = clamp(dot(q, s.dual_u), Real(0), Real(1));
@@ -33,7 +32,7 @@ inline Surface surface_rectangle(const Rectangle& s, const Ray& ray, Real t) {
   r.p = madd(s.u, r.u, madd(s.v, r.v, s.corner));
   r.ng = s.n;
   r.ns = s.n;
-  r.tangent = normalize(s.u);
+  if (uv == Coordinates::Wanted) r.tangent = normalize(s.u);
   return r;
 }
 

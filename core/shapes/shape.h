@@ -32,12 +32,14 @@ struct PlaneHit {
 };
 
 /// A point of a surface, recomputed on the surface. `ng` is unit and points outward (to the front);
-/// `tangent` is the unit direction of increasing u. u and v stay 0 where a function is told to
-/// leave them out (they cost arc functions that an untextured scene does not need).
+/// `tangent` is the unit direction of increasing u. With Coordinates::None u, v and tangent may
+/// stay unset: they cost arc functions and square roots, and only textures and queries ask for
+/// them.
 struct Surface {
-  Vec p, ng, ns, tangent;
+  Vec p, ng, ns, tangent = Vec(Real(0));
   Real u = Real(0), v = Real(0);
 };
+enum class Coordinates { None, Wanted };
 
 /// A direction towards a light. pdf in solid angle at the reference point, over visible directions;
 /// `n` is the light's outward unit normal there. Where !valid nothing arrives.

@@ -47,14 +47,15 @@ inline Vec sphere_tangent(Vec n) {
   return {select(pole, Real(1), n.z * inverse), Real(0), select(pole, Real(0), -n.x * inverse)};
 }
 
-inline Surface surface_sphere(const Sphere& s, const Ray& ray, Real t, bool with_uv) {
+inline Surface surface_sphere(const Sphere& s, const Ray& ray, Real t, Coordinates uv) {
   Surface r;
   r.ng = normalize(madd(ray.d, t, ray.o - s.center));
   r.ns = r.ng;
   r.p = madd(r.ng, s.radius, s.center);
+  if (uv == Coordinates::None) return r;
   const Vec z = cross(s.meridian, s.pole);
   const Vec n{dot(r.ng, s.meridian), dot(r.ng, s.pole), dot(r.ng, z)};
-  if (with_uv) sphere_uv(n, r);
+  sphere_uv(n, r);
   const Vec q = sphere_tangent(n);
   r.tangent = madd(s.meridian, q.x, madd(s.pole, q.y, z * q.z));
   return r;
@@ -130,13 +131,14 @@ inline Interval hit_ellipsoid(const Ellipsoid& e, const Ray& ray) {
   return hit_sphere(e.to_local.point(ray.o - e.shift), d, Real(1) / length_squared(d), Real(1));
 }
 
-inline Surface surface_ellipsoid(const Ellipsoid& e, const Ray& ray, Real t, bool with_uv) {
+inline Surface surface_ellipsoid(const Ellipsoid& e, const Ray& ray, Real t, Coordinates uv) {
   Surface r;
   const Vec n = normalize(madd(e.to_local.vector(ray.d), t, e.to_local.point(ray.o - e.shift)));
   r.p = e.to_world.point(n) + e.shift;
   r.ng = normalize(e.to_local.transposed(n));
   r.ns = r.ng;
-  if (with_uv) sphere_uv(n, r);
+  if (uv == Coordinates::None) return r;
+  sphere_uv(n, r);
   r.tangent = normalize(e.to_world.vector(sphere_tangent(n)));
   return r;
 }

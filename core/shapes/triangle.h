@@ -66,7 +66,7 @@ inline TriangleHit hit_triangle(const Triangle& s, const Ray& ray) {
 }
 
 /// uv = barycentrics (b1, b2).
-inline Surface surface_triangle(const Triangle& s, Real b1, Real b2) {
+inline Surface surface_triangle(const Triangle& s, Real b1, Real b2, Coordinates uv) {
   Surface r;
   const Vec e1 = s.b - s.a, e2 = s.c - s.a;
   r.p = madd(e1, b1, madd(e2, b2, s.a));
@@ -74,7 +74,7 @@ inline Surface surface_triangle(const Triangle& s, Real b1, Real b2) {
   r.ns = r.ng;
   r.u = b1;
   r.v = b2;
-  r.tangent = normalize(e1);
+  if (uv == Coordinates::Wanted) r.tangent = normalize(e1);
   return r;
 }
 

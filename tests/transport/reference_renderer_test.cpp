@@ -76,7 +76,7 @@ Estimate with_reference_error(Estimate ours, const glm::dvec3& error) {
 }
 
 struct Comparison {
-  Family blocks{0.03, 0}, picture{5e-4, 0};
+  Family blocks{0.03, 0, 0.02}, picture{5e-4, 0};
 };
 
 Comparison compare(const std::vector<BlockMeans>& ours, const Reference& reference) {

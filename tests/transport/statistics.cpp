@@ -84,7 +84,8 @@ std::vector<std::string> Family::disagreements() const {
 std::vector<std::string> Family::imprecise() const {
   std::vector<std::string> lines;
   for (const Member& m : members_) {
-    if (!(m.error <= precision_ * std::abs(m.expected))) lines.push_back(describe(m));
+    if (!(m.error <= precision_ * std::max(std::abs(m.expected), dark_)))
+      lines.push_back(describe(m));
   }
   return lines;
 }

@@ -37,7 +37,10 @@ class Family {
  public:
   /// `precision`: largest relative standard error that still makes a comparison worth its name.
   /// `rounding`: relative systematic error allowed for the arithmetic of the kernel.
-  Family(double precision, double rounding) : precision_(precision), rounding_(rounding) {}
+  /// `dark`: below this value the precision asked for is absolute, precision * dark: a block a
+  /// hundred times darker than the picture need not be known to the same number of digits.
+  Family(double precision, double rounding, double dark = 0)
+      : precision_(precision), rounding_(rounding), dark_(dark) {}
 
   void add(const std::string& name, const glm::dvec3& expected, const Estimate& measured);
   void add(const std::string& name, double expected, const Estimate& measured);
@@ -57,7 +60,7 @@ class Family {
   [[nodiscard]] static std::string describe(const Member& m);
   void add(const std::string& name, double expected, double mean, double error, double freedom);
 
-  double precision_, rounding_;
+  double precision_, rounding_, dark_;
   std::vector<Member> members_;
 };
 

@@ -1,0 +1,22 @@
+#pragma once
+// One path per lane.
+
+#include "core/sampling/sobol.h"
+#include "core/shapes/shape.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+/// The state of the paths in flight.
+struct Paths {
+  Ray ray;
+  Vec throughput, radiance;
+  Real pdf;             ///< of the ray's direction, solid angle; 0 after the camera or a delta lobe
+  Real roulette_scale;  ///< undoes the radiance scaling of refraction when judging a path's worth
+  Int segments;         ///< path segments traced
+  Int pixel;            ///< film index
+  Int sample;
+  Sampler sampler;
+  Mask alive;
+};
+
+LIGHTBENCH_KERNEL_END
