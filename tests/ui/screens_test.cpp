@@ -50,7 +50,7 @@ Screen screen_after(const json& steps) {
   Application application(gl, load_scene(file), file, test_options(), [] {});
   run_script(application, gl, steps);
   while (application.bench().status.state != SessionState::Finished) {
-    wait_for_samples(application, 16);
+    wait_for_samples(application, 400);
   }
   run_script(application, gl, {{{"frames", 3}}});
   return {kWidth, kHeight, gl.read_rgb()};
