@@ -62,9 +62,8 @@ void Application::submit() {
   generation_ = session_->submit(bench_.editor.scene);
 }
 
-void Application::take_results() {
+void Application::keep_snapshots() {
   bench_.jobs.finish();
-  bench_.status = session_->status();
   for (const std::shared_ptr<const Frame>& frame : session_->take_snapshots()) {
     const std::vector<int>& counts = bench_.editor.scene.render.snapshots;
     const bool listed =
@@ -77,11 +76,17 @@ void Application::take_results() {
                             bench_.jobs);
     }
   }
+}
+
+void Application::take_results() {
+  keep_snapshots();
+  bench_.status = session_->status();
   if (const auto latest = session_->latest(); latest && latest->serial != shown_serial_) {
     bench_.frame = latest;
     bench_.picture.upload(latest->image);
     shown_serial_ = latest->serial;
     shown_generation_ = latest->generation;
+    shown_divider_ = latest->divider;
     if (edit_time_ && latest->generation >= generation_) {
       bench_.edit_times.add(seconds_between(*edit_time_, Clock::now()));
       edit_time_.reset();
@@ -140,6 +145,10 @@ void Application::follow_edits() {
 
 void Application::frame(double seconds) {
   const Clock::time_point start = Clock::now();
+  // Another size settles like input does: some widgets know their place only one frame later.
+  const bool resized = gl_.width() != drawn_width_ || gl_.height() != drawn_height_;
+  drawn_width_ = gl_.width();
+  drawn_height_ = gl_.height();
   const bool had_input = gui_.input_waits();
   take_results();
   if (gl_.window() != nullptr && options_.scale <= 0 && gl_.content_scale() != gui_.scale()) {
@@ -154,7 +163,7 @@ void Application::frame(double seconds) {
   for (const Action action : std::exchange(bench_.requests, {})) perform(action);
   follow_edits();
   gui_.end_frame();
-  settling_frames_ = had_input ? 2 : std::max(0, settling_frames_ - 1);
+  settling_frames_ = had_input || resized ? 2 : std::max(0, settling_frames_ - 1);
   hover_pending_ =
       had_input || (hover_pending_ && seconds_between(last_frame_, start) < kTooltipDelay);
   last_frame_ = Clock::now();
@@ -173,7 +182,9 @@ double Application::seconds_to_next_frame() {
   if (status.state != shown_state_) return 0;
   const auto latest = session_->latest();
   const bool newer = latest && latest->serial != shown_serial_;
-  if (newer && latest->generation != shown_generation_) return 0;
+  if (newer && (latest->generation != shown_generation_ || latest->divider < shown_divider_)) {
+    return 0;
+  }
   if (newer || status.state == SessionState::Rendering || status.state == SessionState::Compiling) {
     const double interval =
         refresh_interval(status.spp, status.seconds, bench_.frame_times.quantile(0.5));

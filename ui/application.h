@@ -35,6 +35,8 @@ class Application {
 
   /// One round: results in, panels drawn, edits submitted. `seconds` as for Gui::begin_frame.
   void frame(double seconds = 0);
+  /// What goes on while there is nothing to draw to: snapshots that are due are written.
+  void keep_snapshots();
 
   /// Seconds until the next frame should be drawn if no input comes: 0 = now, infinite = nothing
   /// changes by itself.
@@ -88,8 +90,10 @@ class Application {
 
   std::uint64_t shown_serial_ = 0;
   std::uint64_t shown_generation_ = 0;
+  int shown_divider_ = 1;
   SessionState shown_state_ = SessionState::Idle;
   Clock::time_point last_frame_;
+  int drawn_width_ = 0, drawn_height_ = 0;
   int settling_frames_ = 3;     ///< frames ImGui still needs after input
   bool wheel_pending_ = false;  ///< the last turn of the wheel is not an undo step yet
   bool hover_pending_ = false;  ///< a tooltip may be due a moment after the last input

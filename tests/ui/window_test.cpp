@@ -77,6 +77,18 @@ class Process {
     }
     return code_;
   }
+  /// Of all its threads so far.
+  [[nodiscard]] double cpu_seconds() const {
+    std::ifstream stream("/proc/" + std::to_string(pid_) + "/stat");
+    std::string word;
+    // The fields after the name in parentheses, which may hold spaces: the 12th and 13th.
+    std::getline(stream, word, ')');
+    double user = 0;
+    double system = 0;
+    for (int i = 0; i < 11; ++i) stream >> word;
+    stream >> user >> system;
+    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  }
 
  private:
   pid_t pid_ = -1;
@@ -102,7 +114,11 @@ class Window : public testing::Test {
     file_ = folder_ / "box.json";
     save_scene(scene, file_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  void TearDown() override {
+    viewer_.reset();
+    server_.reset();
+    fs::remove_all(folder_);
+  }
 
   /// Positions of the widgets with `panel` in front, in a window of the same size.
   nlohmann::json widgets_with(const std::string& panel) {
@@ -132,39 +148,62 @@ class Window : public testing::Test {
     return load_scene(file_);
   }
 
+  /// The viewer on the scene at the top left of a screen of its own, with the keyboard.
+  void open_viewer() {
+    const std::string display = ":" + std::to_string(200 + getpid() % 5000);
+    server_.emplace(std::vector<std::string>{"Xvfb", display, "-screen", "0", "1280x720x24",
+                                             "-nolisten", "tcp"},
+                    folder_);
+    setenv("DISPLAY", display.c_str(), 1);
+    ASSERT_TRUE(wait_until(20, [] {
+      return std::system("xdotool getdisplaygeometry > /dev/null 2>&1") == 0;
+    })) << "Xvfb did not start";
+    viewer_.emplace(
+        std::vector<std::string>{LIGHTBENCH_EXE, "view", file_.string(), "--ui-scale", "1"},
+        folder_);
+    ASSERT_TRUE(wait_until(60, [&] {
+      window_ = output_of("xdotool search --onlyvisible --name 'box.* - Lightbench' 2> /dev/null");
+      return !window_.empty() || viewer_->exit_code();
+    }));
+    ASSERT_FALSE(viewer_->exit_code()) << "the viewer stopped";
+    window_.erase(window_.find_first_of('\n'));
+    xdotool("windowmove " + window_ + " 0 0 windowfocus " + window_);
+  }
+  /// Drags across the picture until the camera that is saved has moved.
+  bool orbit(const nlohmann::json& widgets) {
+    const Camera start = load_scene(file_).camera;
+    return wait_until(60, [&] {
+      point_at(widgets, "Picture/View");
+      xdotool("mousedown 1");
+      xdotool("mousemove_relative 60 20");
+      xdotool("mousemove_relative 60 20");
+      xdotool("mouseup 1");
+      return saved().camera.look_from != start.look_from;
+    });
+  }
+  std::size_t snapshots() {
+    std::error_code error;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out", error)) {
+      count += entry.path().extension() == ".png" ? 1U : 0U;
+    }
+    return count;
+  }
+
   fs::path folder_;
   fs::path file_;
+  std::optional<Process> server_;
+  std::optional<Process> viewer_;  ///< ends before its screen
+  std::string window_;
 };
 
 TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
   const nlohmann::json camera = widgets_with("Camera");
   const nlohmann::json lights = widgets_with("Lights");
-  const std::string display = ":" + std::to_string(200 + getpid() % 5000);
-  Process server({"Xvfb", display, "-screen", "0", "1280x720x24", "-nolisten", "tcp"}, folder_);
-  setenv("DISPLAY", display.c_str(), 1);
-  ASSERT_TRUE(wait_until(20, [] {
-    return std::system("xdotool getdisplaygeometry > /dev/null 2>&1") == 0;
-  })) << "Xvfb did not start";
-  Process viewer({LIGHTBENCH_EXE, "view", file_.string(), "--ui-scale", "1"}, folder_);
-  std::string window;
-  ASSERT_TRUE(wait_until(60, [&] {
-    window = output_of("xdotool search --onlyvisible --name 'box.* - Lightbench' 2> /dev/null");
-    return !window.empty() || viewer.exit_code();
-  }));
-  ASSERT_FALSE(viewer.exit_code()) << "the viewer stopped";
-  window.erase(window.find_first_of('\n'));
-  xdotool("windowmove " + window + " 0 0 windowfocus " + window);
+  ASSERT_NO_FATAL_FAILURE(open_viewer());
+  Process& viewer = *viewer_;
 
-  // Orbit, until the camera that is saved has moved.
-  const Camera start = load_scene(file_).camera;
-  ASSERT_TRUE(wait_until(60, [&] {
-    point_at(camera, "Picture/View");
-    xdotool("mousedown 1");
-    xdotool("mousemove_relative 60 20");
-    xdotool("mousemove_relative 60 20");
-    xdotool("mouseup 1");
-    return saved().camera.look_from != start.look_from;
-  }));
+  ASSERT_TRUE(orbit(camera));
 
   // Type an aperture.
   ASSERT_TRUE(wait_until(60, [&] {
@@ -190,14 +229,6 @@ TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
   EXPECT_TRUE(emits(lit.materials[static_cast<std::size_t>(lit.objects.back().material)]));
 
   // A snapshot, while the render goes on.
-  const auto snapshots = [&] {
-    std::error_code error;
-    std::size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(folder_ / "out", error)) {
-      count += entry.path().extension() == ".png" ? 1U : 0U;
-    }
-    return count;
-  };
   xdotool("key F12");
   EXPECT_TRUE(wait_until(60, [&] { return snapshots() > 0; }));
 
@@ -209,6 +240,57 @@ TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
     return wait_until(1, [&] { return viewer.exit_code().has_value(); });
   }));
   EXPECT_EQ(viewer.exit_code(), 0);
+}
+
+/// Without a window manager, so that nothing corrects a size or keeps the window in sight.
+TEST_F(Window, AnySizeAndOutOfSight) {
+  const nlohmann::json camera = widgets_with("Camera");
+  ASSERT_NO_FATAL_FAILURE(open_viewer());
+  const auto resize = [&](const std::string& size) {
+    xdotool("windowsize " + window_ + " " + size);
+  };
+  const auto size_is = [&](const std::string& size) {
+    return wait_until(20, [&] {
+      return output_of("xdotool getwindowgeometry " + window_).find(size) != std::string::npos;
+    });
+  };
+  // A loop that spins takes its share in every interval.
+  const auto rests = [&] {
+    return wait_until(60, [&] {
+      const double before = viewer_->cpu_seconds();
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+      return viewer_->cpu_seconds() - before < 0.05;
+    });
+  };
+  for (const char* size : {"3x600", "700x2", "40x30", "1x1"}) {
+    std::string numbers = size;
+    std::replace(numbers.begin(), numbers.end(), 'x', ' ');
+    resize(numbers);
+    EXPECT_TRUE(size_is(size)) << size;
+    ASSERT_FALSE(viewer_->exit_code()) << "stopped at " << size;
+  }
+  // The render goes on meanwhile, and with it the snapshots.
+  xdotool("windowfocus " + window_ + " key F12");
+  EXPECT_TRUE(wait_until(60, [&] { return snapshots() == 1; }));
+  xdotool("windowunmap " + window_);
+  EXPECT_TRUE(wait_until(60, [&] {
+    return output_of("xdotool search --onlyvisible --name Lightbench 2> /dev/null").empty();
+  }));
+  ASSERT_FALSE(viewer_->exit_code()) << "stopped out of sight";
+  xdotool("windowmap " + window_);
+  resize("1280 720");
+  EXPECT_TRUE(size_is("1280x720"));
+  xdotool("windowmove " + window_ + " 0 0 windowfocus " + window_);
+  EXPECT_TRUE(orbit(camera));  // where it was: the layout is back
+  xdotool("key space");
+  EXPECT_TRUE(rests());
+  xdotool("windowunmap " + window_);
+  EXPECT_TRUE(rests());
+  xdotool("windowmap " + window_);
+  resize("1 1");
+  EXPECT_TRUE(size_is("1x1"));
+  EXPECT_TRUE(rests());
+  EXPECT_FALSE(viewer_->exit_code());
 }
 
 TEST_F(Window, WithoutADisplayOneLineAndExitCode2) {
