@@ -42,27 +42,33 @@ Film::Film(int width, int height, double unit) : width_(width), height_(height),
 
 void Film::clear() { std::fill(pixels_.begin(), pixels_.end(), FilmPixel{}); }
 
-Image Film::mean(std::uint32_t spp, std::vector<float>* variance) const {
+void write_means(const FilmPixel* pixels, std::size_t count, double unit, std::uint32_t spp,
+                 float* rgb) {
+  const double scale = unit * kStep / spp;
+  for (const FilmPixel* sum = pixels; sum != pixels + count; ++sum) {
+    *rgb++ = static_cast<float>(scale * static_cast<double>(sum->r));
+    *rgb++ = static_cast<float>(scale * static_cast<double>(sum->g));
+    *rgb++ = static_cast<float>(scale * static_cast<double>(sum->b));
+  }
+}
+
+Image Film::mean(std::uint32_t spp) const {
   Image image{width_, height_, std::vector<float>(3 * pixels_.size())};
-  if (variance) variance->assign(pixels_.size(), 0.0F);
-  if (spp == 0) return image;
-  const double n = spp;
-  const double scale = unit_ * kStep / n;
-  float* out = image.rgb.data();
-  for (const FilmPixel& sum : pixels_) {
-    *out++ = static_cast<float>(scale * static_cast<double>(sum.r));
-    *out++ = static_cast<float>(scale * static_cast<double>(sum.g));
-    *out++ = static_cast<float>(scale * static_cast<double>(sum.b));
-  }
-  if (variance && spp > 1) {
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const double first = kStep * luminance(pixels_[i]);  // in units, as is the next
-      const double second = kSquareStep * static_cast<double>(pixels_[i].luminance_squared);
-      const double unbiased = (second - first * first / n) / (n - 1);
-      (*variance)[i] = static_cast<float>(unit_ * unit_ * std::max(0.0, unbiased));
-    }
-  }
+  if (spp > 0) write_means(pixels_.data(), pixels_.size(), unit_, spp, image.rgb.data());
   return image;
+}
+
+std::vector<float> Film::variance(std::uint32_t spp) const {
+  std::vector<float> variance(pixels_.size());
+  if (spp < 2) return variance;
+  const double n = spp;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const double first = kStep * luminance(pixels_[i]);  // in units, as is the next
+    const double second = kSquareStep * static_cast<double>(pixels_[i].luminance_squared);
+    const double unbiased = (second - first * first / n) / (n - 1);
+    variance[i] = static_cast<float>(unit_ * unit_ * std::max(0.0, unbiased));
+  }
+  return variance;
 }
 
 std::uint64_t Film::hash() const {

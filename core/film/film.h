@@ -30,6 +30,11 @@ struct FilmView {
   int width = 0;
 };
 
+/// Writes the means over `spp` samples (above 0) of `count` pixels of a film of `unit` to `rgb`,
+/// three floats each.
+void write_means(const FilmPixel* pixels, std::size_t count, double unit, std::uint32_t spp,
+                 float* rgb);
+
 /// Not thread-safe as a whole; different pixels may be written by different threads.
 class Film {
  public:
@@ -42,8 +47,10 @@ class Film {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] const std::vector<FilmPixel>& pixels() const { return pixels_; }
-  /// Means over `spp` samples; `variance`, if given, receives the per-pixel sample variance.
-  [[nodiscard]] Image mean(std::uint32_t spp, std::vector<float>* variance = nullptr) const;
+  /// Means over `spp` samples.
+  [[nodiscard]] Image mean(std::uint32_t spp) const;
+  /// Sample variance of luminance per pixel; 0 for fewer than 2 samples.
+  [[nodiscard]] std::vector<float> variance(std::uint32_t spp) const;
   /// FNV-1a over the raw sums: equal films, equal hashes.
   [[nodiscard]] std::uint64_t hash() const;
 

@@ -12,7 +12,7 @@ namespace lightbench {
 struct RenderScene;
 
 /// `image` holds mean linear radiance per pixel of the crop window (or of the whole picture). With
-/// `divider` d > 1 it is the quick first look: one pixel stands for d x d.
+/// `divider` d > 1 it is a look: one pixel stands for d x d.
 struct Frame {
   Image image;
   std::vector<float> variance;  ///< of one sample's luminance, per pixel; empty unless asked for

@@ -106,15 +106,14 @@ void Coordinator::finish_pass() {
   }
   const double took = std::max(1e-6, seconds() - pass_started_);
   const double speed = static_cast<double>(result.counters.paths) / took;
+  looked_ = pass.divider;
   if (pass.divider > 1) {
-    looked_ = true;
     look_speed_ = blend(look_speed_, speed);
     published_at_ = seconds();
-    publish(make_frame(look_, pass.divider, false), false);
+    publish(make_look(), false);
     return;
   }
   if (!pass.cancellable) look_speed_ = blend(look_speed_, speed);
-  looked_ = true;
   speed_ = blend(speed_, speed);
   spp_ += pass.sample_count;
   counters_ += result.counters;
@@ -128,7 +127,7 @@ void Coordinator::adopt_pending() {
   run_clock(false);
   generation_ = pending_generation_;
   error_.clear();
-  looked_ = false;
+  looked_ = 0;
   spp_ = published_spp_ = snapshot_spp_ = 0;
   counters_ = {};
   pass_seconds_ = clock_seconds_ = published_at_ = 0;
@@ -141,14 +140,19 @@ void Coordinator::adopt_pending() {
   resize(film_, compiled_->crop.width, compiled_->crop.height, compiled_->film_unit);
 }
 
+/// Whether a picture of `spp` samples, complete at `time`, is to be published.
+bool Coordinator::is_due(std::uint32_t spp, double time) const {
+  if (published_spp_ == 0 || contains(scene_->render.snapshots, spp)) return true;
+  const auto target = static_cast<std::uint32_t>(std::max(0, scene_->render.spp));
+  return spp == target || time - published_at_ >= publish_interval(options_.interactive, time);
+}
+
 void Coordinator::publish_due() {
   if (spp_ == 0 || !error_.empty()) return;
   const bool at_stop = snapshot_spp_ != spp_ && contains(scene_->render.snapshots, spp_);
-  const bool due = published_spp_ == 0 ||
-                   seconds() - published_at_ >= publish_interval(options_.interactive, seconds());
   const bool is_snapshot = at_stop || snapshot_wanted_;
-  if (!is_snapshot && (published_spp_ == spp_ || !(due || !next()))) return;
-  publish(make_frame(film_, 1, is_snapshot), is_snapshot);
+  if (!is_snapshot && (published_spp_ == spp_ || !(is_due(spp_, seconds()) || !next()))) return;
+  publish(make_frame(is_snapshot), is_snapshot);
   published_spp_ = spp_;
   published_at_ = seconds();
   if (is_snapshot) snapshot_spp_ = spp_;
@@ -174,7 +178,29 @@ void Coordinator::start_next() {
   pool_.hold(false);
   pool_.start({compiled_, film.view(), film.height(), *pass,
                plan_tiles(film.width(), film.height(), pass->sample_count, pool_.threads(),
-                          speed_ > 0 ? speed_ : look_speed_)});
+                          speed_ > 0 ? speed_ : look_speed_),
+               means_after(*pass)});
+  // The memory of the next picture is made while the workers trace.
+  if (options_.interactive) make_room_for_means();
+}
+
+/// Where the workers write the means after `pass`; null if it is hardly to be published.
+float* Coordinator::means_after(const Pass& pass) {
+  means_spp_ = 0;
+  if (pass.divider > 1) return nullptr;
+  const std::uint32_t spp = spp_ + pass.sample_count;
+  const double samples = static_cast<double>(pass.sample_count) * film_.width() * film_.height();
+  const double end = speed_ > 0 ? seconds() + samples / speed_ : seconds();
+  if (!snapshot_wanted_ && speed_ > 0 && !is_due(spp, end)) return nullptr;
+  make_room_for_means();
+  means_spp_ = spp;
+  return means_.rgb.data();
+}
+
+void Coordinator::make_room_for_means() {
+  if (means_.width == film_.width() && means_.height == film_.height()) return;
+  means_ = {};  // give the memory back first
+  means_ = {film_.width(), film_.height(), std::vector<float>(3 * film_.pixels().size())};
 }
 
 void Coordinator::fail(const std::string& error) {
@@ -183,12 +209,25 @@ void Coordinator::fail(const std::string& error) {
   report(SessionState::Failed);
 }
 
-std::shared_ptr<const Frame> Coordinator::make_frame(const Film& film, int divider,
-                                                     bool with_variance) {
+std::shared_ptr<const Frame> Coordinator::make_look() {
+  const std::shared_ptr<Frame> frame = new_frame(1, look_.mean(1));
+  frame->divider = looked_;
+  return frame;
+}
+
+std::shared_ptr<const Frame> Coordinator::make_frame(bool with_variance) {
+  const bool made = means_spp_ == spp_;
+  means_spp_ = 0;
+  const std::shared_ptr<Frame> frame =
+      new_frame(spp_, made ? std::exchange(means_, {}) : film_.mean(spp_));
+  if (with_variance) frame->variance = film_.variance(spp_);
+  return frame;
+}
+
+std::shared_ptr<Frame> Coordinator::new_frame(std::uint32_t spp, Image image) {
   auto frame = std::make_shared<Frame>();
-  frame->spp = divider > 1 ? 1 : spp_;
-  frame->image = film.mean(frame->spp, with_variance ? &frame->variance : nullptr);
-  frame->divider = divider;
+  frame->image = std::move(image);
+  frame->spp = spp;
   frame->seconds = seconds();
   frame->generation = generation_;
   frame->serial = ++serial_;

@@ -40,7 +40,12 @@ class Coordinator {
 
   void fail(const std::string& error);
   void publish(std::shared_ptr<const Frame> frame, bool is_snapshot);
-  std::shared_ptr<const Frame> make_frame(const Film& film, int divider, bool with_variance);
+  [[nodiscard]] bool is_due(std::uint32_t spp, double time) const;
+  float* means_after(const Pass& pass);
+  void make_room_for_means();
+  std::shared_ptr<const Frame> make_look();
+  std::shared_ptr<const Frame> make_frame(bool with_variance);
+  std::shared_ptr<Frame> new_frame(std::uint32_t spp, Image image);
   void run_clock(bool running);
   [[nodiscard]] double seconds() const;
   void report(SessionState state);
@@ -60,13 +65,15 @@ class Coordinator {
 
   Film film_;
   Film look_;
+  Image means_;                  // of film_, from the workers, if a pass is likely to be published
+  std::uint32_t means_spp_ = 0;  // the samples that they are of, 0 = none
   std::optional<Pass> running_;
   double pass_started_ = 0;
   bool paused_ = false;
   bool snapshot_wanted_ = false;
 
   // Of this generation.
-  bool looked_ = false;
+  int looked_ = 0;  // see Progress
   std::uint32_t spp_ = 0;
   std::uint32_t published_spp_ = 0;
   double published_at_ = 0;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLookSeconds = 0.025;  // leaves room for compile and display within 1/30 s
 constexpr int kLookLongAxis = 128;
+constexpr int kFinestLook = 3;  // at 2 it would cost a quarter of the full pass
 constexpr double kPassSeconds = 1.0;
 constexpr double kCallSeconds = 0.004;
 // Before anything is measured: slow enough that a slow scene does not block the first picture.
@@ -42,13 +43,21 @@ int look_divider(int width, int height, double look_speed) {
   return coarsest;
 }
 
+int finer_divider(int divider) {
+  return divider > kFinestLook ? std::max(kFinestLook, (divider + 1) / 2) : 1;
+}
+
 std::optional<Pass> next_pass(const Progress& p, const std::vector<int>& stops) {
   const std::int64_t spp = p.spp;
   const std::int64_t target = p.target > 0 ? std::int64_t{p.target} : kMaxSpp;
   if (spp >= target) return std::nullopt;
-  if (p.interactive && !p.looked && spp == 0) {
+  if (p.interactive && p.looked == 0 && spp == 0) {
     const int divider = look_divider(p.width, p.height, p.look_speed > 0 ? p.look_speed : p.speed);
     return Pass{.divider = divider, .first_sample = 0, .sample_count = 1, .cancellable = false};
+  }
+  if (p.interactive && p.looked > 1 && spp == 0) {
+    const int divider = finer_divider(p.looked);
+    if (divider > 1) return Pass{.divider = divider, .first_sample = 0, .sample_count = 1};
   }
   auto end = std::min(
       target, static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(spp)) * 2));

@@ -8,7 +8,7 @@
 
 namespace lightbench {
 
-/// Whole samples for every pixel of the film, or one sample of a quick look.
+/// Whole samples for every pixel of the film, or one sample of a look at lower resolution.
 struct Pass {
   int divider = 1;  ///< d > 1: the film of the look is ceil(size / d)
   std::uint32_t first_sample = 0;
@@ -22,7 +22,7 @@ struct Pass {
 struct Progress {
   int width = 0, height = 0;  ///< of the film, pixels
   bool interactive = false;
-  bool looked = false;       ///< the quick look of this generation is done
+  int looked = 0;            ///< divider of this generation's last look or pass, 0 = none yet
   std::uint32_t spp = 0;     ///< samples done
   std::uint32_t target = 0;  ///< samples wanted, 0 = no limit
   double seconds = 0;        ///< rendered so far
@@ -33,13 +33,19 @@ struct Progress {
 
 /// The next pass, or nothing when the target or the time limit is reached. Interactive renders
 /// start with a look at the divider that fits 25 ms, at least 128 pixels on the long axis (Cycles'
-/// rule), replaced by the first full pass where that fits too. Then passes end at 1, 2, 4, 8, ...
-/// spp, at each of `stops`, and at the target; none is predicted to last more than a second, since
-/// a pass is what an interrupt can lose. At least one sample is taken whatever the time limit.
+/// rule), replaced by the first full pass where that fits too. Finer looks follow, which can be
+/// cancelled (finer_divider). Then passes end at 1, 2, 4, 8, ... spp, at each of `stops`, and at
+/// the target; none is predicted to last more than a second, since a pass is what an interrupt can
+/// lose. At least one sample is taken whatever the time limit.
 std::optional<Pass> next_pass(const Progress& progress, const std::vector<int>& stops);
 
 /// Divider of a look that is predicted to fit 25 ms.
 int look_divider(int width, int height, double look_speed);
+
+/// Divider of what follows a look at `divider`: half of it down to 3, then 1. So each picture has
+/// about four times the pixels of the one before, and all looks but the first together cost
+/// about a fifth of the pass they precede at most.
+int finer_divider(int divider);
 
 /// Seconds between published frames once a generation has rendered for `seconds`: quick while the
 /// picture changes fast, then ever rarer (Cycles: 0.1 s to 2 s). Headless: 10 s throughout.

@@ -144,6 +144,11 @@ bool WorkerPool::trace_tile(Worker& self, std::int64_t tile) {
     render(*job_.scene, work, job_.film, self.counters);
     sample += work.sample_count;
   }
+  for (int y = work.y0; y < work.y1 && job_.means != nullptr; ++y) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * job_.film.width + work.x0;
+    write_means(job_.film.pixels + first, static_cast<std::size_t>(work.x1 - work.x0),
+                job_.scene->film_unit, end, job_.means + 3 * first);
+  }
   return true;
 }
 

@@ -25,6 +25,9 @@ struct Job {
   int film_height = 0;
   Pass pass;
   Tiling tiling;
+  /// If given, receives the means after the pass, three floats per pixel: written tile by tile
+  /// while the sums are at hand, since nobody traces while one thread goes over a whole film.
+  float* means = nullptr;
 };
 
 /// What became of a job.

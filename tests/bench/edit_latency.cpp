@@ -1,9 +1,10 @@
-// Time from an edit to the first new picture, as a person feels it:
+// Times from an edit to the pictures that follow, as a person feels them:
 //   bench_edit_latency [SCENE [WIDTHxHEIGHT [EDITS [THREADS]]]]
-// moves the camera EDITS times, each time waits for the first frame of that edit, then lets a
-// random part of a second pass so that edits meet every stage of a render. Prints milliseconds.
+// moves the camera EDITS times and times the first new picture, the second, and the first of full
+// resolution. Every other edit comes before that, so that edits meet every stage of a render.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -26,6 +28,11 @@ double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   const auto last = static_cast<double>(values.size() - 1);
   return values[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+void print(const char* what, const std::vector<double>& times) {
+  fmt::print("{:<18} median {:7.2f} ms, p99 {:7.2f} ms\n", what, percentile(times, 0.5),
+             percentile(times, 0.99));
 }
 
 double milliseconds(Clock::duration duration) {
@@ -56,43 +63,52 @@ int main(int argc, char** argv) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Camera home = scene.camera;
   const double distance = glm::length(home.look_from - home.look_at);
-  std::vector<double> first, submit;
+  std::vector<double> submit, first, second, full;
   std::vector<int> dividers;
   std::uint64_t serial = 0;
-  for (int edit = 0; edit < edits + 5; ++edit) {
+  for (int edit = 0; edit < edits + 6; ++edit) {
     scene.camera.look_from =
         home.look_from +
         0.05 * distance * glm::dvec3(uniform(engine), uniform(engine), uniform(engine));
     Scene copy = scene;
     const auto start = Clock::now();
     const std::uint64_t generation = session.submit(std::move(copy));
-    const auto submitted = Clock::now();
-    for (;;) {
-      session.wait(serial, 10);
-      const auto frame = session.latest();
-      if (!frame) continue;
-      serial = frame->serial;
-      if (frame->generation != generation) continue;
-      if (edit >= 5) {  // the first ones measure the speed that later ones rely on
-        first.push_back(milliseconds(Clock::now() - start));
-        submit.push_back(milliseconds(submitted - start));
-        dividers.push_back(frame->divider);
+    const double submitted = milliseconds(Clock::now() - start);
+    const bool interrupted = edit % 2 == 1;
+    std::vector<double> times;
+    const std::shared_ptr<const Frame> frame = [&] {
+      for (;;) {
+        session.wait(serial, 10);
+        std::shared_ptr<const Frame> latest = session.latest();
+        if (!latest || latest->serial == serial) continue;
+        serial = latest->serial;
+        if (latest->generation != generation) continue;
+        times.push_back(milliseconds(Clock::now() - start));
+        if (edit >= 6) dividers.push_back(latest->divider);
+        if (interrupted || latest->divider == 1) return latest;
       }
-      break;
+    }();
+    if (edit >= 6) {  // the first ones measure the speed that later ones rely on
+      submit.push_back(submitted);
+      first.push_back(times.front());
+      if (times.size() > 1) second.push_back(times[1]);
+      if (frame->divider == 1) full.push_back(times.back());
     }
+    if (!interrupted) continue;
     const auto next = Clock::now() + std::chrono::milliseconds(engine() % 300);
     while (Clock::now() < next) {
       session.wait(serial, std::chrono::duration<double>(next - Clock::now()).count());
       serial = session.latest()->serial;
     }
   }
-  std::sort(dividers.begin(), dividers.end());
   const SessionStatus status = session.status();
   fmt::print("{} at {}x{}, {} edits, {} threads\n", file, scene.render.width, scene.render.height,
              edits, status.threads);
-  fmt::print("first picture: median {:.1f} ms, p99 {:.1f} ms, divider {}..{}, median {}\n",
-             percentile(first, 0.5), percentile(first, 0.99), dividers.front(), dividers.back(),
-             dividers[dividers.size() / 2]);
-  fmt::print("submit():      median {:.3f} ms, p99 {:.3f} ms\n", percentile(submit, 0.5),
-             percentile(submit, 0.99));
+  std::sort(dividers.begin(), dividers.end());
+  dividers.erase(std::unique(dividers.begin(), dividers.end()), dividers.end());
+  fmt::print("dividers {}\n", fmt::join(dividers, " "));
+  print("submit()", submit);
+  print("first picture", first);
+  if (!second.empty()) print("second picture", second);
+  if (!full.empty()) print("full resolution", full);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <random>
 
@@ -210,8 +211,31 @@ TEST(Session, InteractiveShowsALookFirst) {
   EXPECT_EQ(look->image.height, (height + look->divider - 1) / look->divider);
   EXPECT_GE(look->image.width, 128);
   EXPECT_FLOAT_EQ(look->image.rgb.back(), 0.5F);
-  ASSERT_TRUE(eventually(session, [&] { return session.latest()->divider == 1; }));
-  EXPECT_EQ(session.latest()->image.width, width);
+  // Then ever finer ones, down to the whole picture.
+  std::vector<int> dividers{look->divider};
+  ASSERT_TRUE(eventually(session, [&] {
+    const auto frame = session.latest();
+    if (frame->divider != dividers.back()) {
+      dividers.push_back(frame->divider);
+      EXPECT_EQ(frame->image.width, (width + frame->divider - 1) / frame->divider);
+      EXPECT_EQ(frame->spp, 1U);
+    }
+    return frame->divider == 1;
+  }));
+  EXPECT_GT(dividers.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(dividers.rbegin(), dividers.rend()));
+}
+
+TEST(Session, LooksLeaveNoTraceInThePicture) {
+  Scene scene = noisy_scene(600, 400, 2);
+  Session session({.threads = 2, .interactive = true});
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  scene.camera.vfov += 1;
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  ASSERT_EQ(session.latest()->divider, 1);
+  EXPECT_TRUE(same_bits(session.latest()->image.rgb, render_to_end(scene)->image.rgb));
 }
 
 TEST(Session, TimeLimitEndsARender) {

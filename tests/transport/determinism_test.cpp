@@ -122,8 +122,9 @@ TEST(FilmSums, EqualTheSamplesOneByOne) {
         squares[p] += y * y;
       }
     }
-    std::vector<float> variance;
-    const Image mean = render_film(*scene, spp).mean(spp, &variance);
+    const Film film = render_film(*scene, spp);
+    const Image mean = film.mean(spp);
+    const std::vector<float> variance = film.variance(spp);
     for (std::size_t p = 0; p < sum.size(); ++p) {
       const double y = 0.2126 * static_cast<double>(mean.rgb[3 * p]) +
                        0.7152 * static_cast<double>(mean.rgb[3 * p + 1]) +

@@ -49,8 +49,7 @@ TEST(Film, VarianceIsTheUnbiasedVarianceOfLuminance) {
     sum += y;
     square += y * y;
   }
-  std::vector<float> variance;
-  (void)film.mean(n, &variance);
+  const std::vector<float> variance = film.variance(n);
   ASSERT_EQ(variance.size(), 1U);
   const double expected = (square - sum * sum / n) / (n - 1);
   EXPECT_NEAR(variance[0], expected, 1e-5 * expected);
@@ -59,12 +58,10 @@ TEST(Film, VarianceIsTheUnbiasedVarianceOfLuminance) {
 TEST(Film, VarianceOfEqualSamplesIsZeroAndNeverNegative) {
   Film film(1, 1, 1.0);
   for (int i = 0; i < 1000; ++i) add(film.view().pixels[0], 0.7, 0.1, 0.3, 1.0);
-  std::vector<float> variance;
-  (void)film.mean(1000, &variance);
+  const std::vector<float> variance = film.variance(1000);
   EXPECT_GE(variance[0], 0.0F);
   EXPECT_NEAR(variance[0], 0.0F, 1e-6F);
-  (void)film.mean(1, &variance);
-  EXPECT_EQ(variance[0], 0.0F);
+  EXPECT_EQ(film.variance(1)[0], 0.0F);
 }
 
 TEST(Film, StaysAccurateAtAMillionSamples) {

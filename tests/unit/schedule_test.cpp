@@ -15,12 +15,12 @@ std::vector<std::uint32_t> pass_ends(Progress progress, const std::vector<int>& 
     const auto pass = next_pass(progress, stops);
     if (!pass) break;
     if (pass->divider > 1) {
-      progress.looked = true;
+      progress.looked = pass->divider;
       continue;
     }
     EXPECT_EQ(pass->first_sample, progress.spp);
     EXPECT_GE(pass->sample_count, 1U);
-    progress.looked = true;
+    progress.looked = 1;
     progress.spp += pass->sample_count;
     if (progress.speed > 0) {
       progress.seconds +=
@@ -71,10 +71,36 @@ TEST(Schedule, FirstLookFitsItsBudgetAndIsNotCancellable) {
   EXPECT_FALSE(look->cancellable);
   EXPECT_EQ(look->sample_count, 1U);
   EXPECT_EQ(look->divider, 5);  // 256x144 = 36864 samples, 18 ms; 320x180 would last 29 ms
-  progress.looked = true;
-  const auto first = next_pass(progress, {});
-  EXPECT_EQ(first->divider, 1);
-  EXPECT_TRUE(first->cancellable);
+}
+
+TEST(Schedule, FinerLooksLeadToTheFirstPassAndCanBeCancelled) {
+  Progress progress{.width = 1280, .height = 720, .interactive = true, .look_speed = 4e5};
+  std::vector<int> dividers;
+  while (dividers.empty() || dividers.back() > 1) {
+    const auto pass = next_pass(progress, {});
+    ASSERT_TRUE(pass);
+    EXPECT_EQ(pass->cancellable, !dividers.empty());
+    EXPECT_EQ(pass->sample_count, 1U);
+    dividers.push_back(pass->divider);
+    progress.looked = pass->divider;
+  }
+  EXPECT_EQ(dividers, (std::vector<int>{10, 5, 3, 1}));
+  // None of them is rendered again, nor where one sample is all that is wanted.
+  progress.spp = progress.target = 1;
+  EXPECT_FALSE(next_pass(progress, {}));
+}
+
+TEST(Schedule, FinerLooksCostLittle) {
+  for (int first = 2; first < 100; ++first) {
+    double cost = 0;  // in full passes
+    int divider = finer_divider(first);
+    for (; divider > 1; divider = finer_divider(divider)) {
+      EXPECT_LT(divider, first);
+      cost += 1.0 / (divider * divider);
+    }
+    EXPECT_EQ(divider, 1);
+    EXPECT_LT(cost, 0.21);
+  }
 }
 
 TEST(Schedule, LookShrinksWithSpeedButNotBelow128Pixels) {
