@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/progress.h"
 #include "app/scene_options.h"
 #include "core/compile/render_scene.h"
+#include "core/format.h"
 
 namespace lightbench {
 namespace {
@@ -148,8 +148,9 @@ void print_text(const Json& info) {
   row("lights", fmt::format("{}", info["lights"].get<std::int64_t>()));
   row("appearance", fmt::format("{} materials, {} textures, {} media", info["materials"].get<int>(),
                                 info["textures"].get<int>(), info["media"].get<int>()));
-  row("memory", fmt::format("scene {}, film {}", format_bytes(info["sceneBytes"].get<double>()),
-                            format_bytes(info["filmBytes"].get<double>())));
+  row("memory",
+      fmt::format("scene {}, film {}", format_bytes(info["sceneBytes"].get<std::uint64_t>()),
+                  format_bytes(info["filmBytes"].get<std::uint64_t>())));
   row("kernel", fmt::format("{}, compiled in {:.2f} ms", info["kernel"].get<std::string>(),
                             1000 * info["compileSeconds"].get<double>()));
   row("used", used.empty() ? "nothing" : used);

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "core/error.h"
+#include "core/format.h"
 
 namespace lightbench {
 namespace {
@@ -26,7 +27,7 @@ std::string progress_text(const SessionStatus& status) {
                                            : fmt::format("{} spp", status.spp);
   text += fmt::format("  {}", format_duration(status.seconds));
   if (status.samples_per_second > 0) {
-    text += fmt::format("  {}samples/s", format_count(status.samples_per_second));
+    text += "  " + format_count(status.samples_per_second, "samples/s");
   }
   if (status.remaining >= 0) text += fmt::format("  eta {}", format_duration(status.remaining));
   return text;
@@ -47,27 +48,6 @@ ProgressMode parse_progress(const std::string& text) {
   if (text == "plain") return ProgressMode::Plain;
   if (text == "none") return ProgressMode::None;
   throw Error(ErrorKind::Usage, fmt::format("--progress '{}': expected bar, plain or none", text));
-}
-
-std::string format_duration(double seconds) {
-  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
-  const auto whole = static_cast<long long>(std::llround(seconds));
-  if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
-  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-std::string format_count(double value) {
-  const char* prefixes[] = {"", "k", "M", "G", "T"};
-  std::size_t i = 0;
-  for (; value >= 999.5 && i + 1 < std::size(prefixes); ++i) value /= 1000;
-  return fmt::format("{:.{}f} {}", value, i > 0 && value < 99.95 ? 1 : 0, prefixes[i]);
-}
-
-std::string format_bytes(double bytes) {
-  const char* units[] = {"B", "KiB", "MiB", "GiB", "TiB"};
-  std::size_t i = 0;
-  for (; bytes >= 1023.5 && i + 1 < std::size(units); ++i) bytes /= 1024;
-  return fmt::format("{:.{}f} {}", bytes, i > 0 && bytes < 99.95 ? 1 : 0, units[i]);
 }
 
 ProgressDisplay::ProgressDisplay(ProgressMode mode) : mode_(mode) {

@@ -14,12 +14,6 @@ enum class ProgressMode { Bar, Plain, None };
 /// Error{Usage}.
 ProgressMode parse_progress(const std::string& text);
 
-/// `3.2 s`, `4:05`, `1:02:03`.
-std::string format_duration(double seconds);
-/// With a metric prefix: `12.3 M`.
-std::string format_count(double value);
-std::string format_bytes(double bytes);
-
 /// A bar is one line that is rewritten; plain lines come every few seconds.
 class ProgressDisplay {
  public:

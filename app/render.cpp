@@ -19,6 +19,7 @@
 #include "app/version.h"
 #include "core/error.h"
 #include "core/film/image_file.h"
+#include "core/format.h"
 #include "core/scene/file.h"
 #include "core/session/session.h"
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/progress.h"
 #include "app/version.h"
+#include "core/format.h"
 
 namespace lightbench {
 
@@ -20,11 +20,11 @@ std::string summary(const RenderReport& report) {
   const SessionStatus& status = report.status;
   std::string text = fmt::format(
       "{} spp in {} on {} thread{}, kernel {} (stopped by {})\n"
-      "{}samples/s, {}rays/s, compiled in {:.1f} ms, peak memory {}\n",
+      "{}, {}, compiled in {:.1f} ms, peak memory {}\n",
       status.spp, format_duration(status.seconds), status.threads, status.threads == 1 ? "" : "s",
-      report.kernel, report.stopped_by, format_count(status.samples_per_second),
-      format_count(status.rays_per_second), 1000 * status.scene.compile_seconds,
-      format_bytes(static_cast<double>(peak_memory_bytes())));
+      report.kernel, report.stopped_by, format_count(status.samples_per_second, "samples/s"),
+      format_count(status.rays_per_second, "rays/s"), 1000 * status.scene.compile_seconds,
+      format_bytes(static_cast<std::uint64_t>(peak_memory_bytes())));
   const Counters& counters = status.counters;
   if (counters.non_finite == 0) {
     text += "no non-finite samples\n";

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/format.h"
 #include "ui/fields.h"
-#include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels.h"
 #include "ui/theme.h"

@@ -1,7 +1,7 @@
 #include <imgui.h>
 
+#include "core/format.h"
 #include "ui/fields.h"
-#include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
@@ -41,8 +41,8 @@ void draw_statistics_panel(Workbench& bench) {
       value_row("Remaining", running ? format_duration(status.remaining) : "-");
     }
     if (section("Speed")) {
-      value_row("Paths", format_count(status.samples_per_second) + "/s");
-      value_row("Rays", format_count(status.rays_per_second) + "/s");
+      value_row("Paths", format_count(status.samples_per_second, "/s"));
+      value_row("Rays", format_count(status.rays_per_second, "/s"));
       value_row("Threads", std::to_string(status.threads));
       draw_dropped(status.counters);
     }

@@ -2,8 +2,8 @@
 
 #include <variant>
 
+#include "core/format.h"
 #include "ui/fields.h"
-#include "ui/format.h"
 #include "ui/properties.h"
 
 namespace lightbench::ui {

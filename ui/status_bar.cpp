@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/format.h"
 #include "ui/fields.h"
-#include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 #include "ui/widget_map.h"
@@ -102,8 +102,8 @@ void draw_status_bar(Workbench& bench) {
     if (status.state == SessionState::Rendering && status.remaining >= 0) {
       draw_value("Left", format_duration(status.remaining));
     }
-    draw_value("Paths", format_count(status.samples_per_second) + "/s");
-    draw_value("Rays", format_count(status.rays_per_second) + "/s");
+    draw_value("Paths", format_count(status.samples_per_second, "/s"));
+    draw_value("Rays", format_count(status.rays_per_second, "/s"));
     draw_value("Lights", format_integer(status.scene.lights));
     draw_value("Primitives", format_integer(status.scene.primitives));
     draw_value("Memory",
