@@ -186,12 +186,20 @@ void value_row(const char* label, const std::string& value) {
   note_widget(label);
 }
 
-void elided_text(const std::string& text) {
-  const float width = ImGui::GetContentRegionAvail().x;
+std::string elided(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
   std::size_t kept = text.size();
-  while (kept > 0 && ImGui::CalcTextSize((text.substr(0, kept) + "...").c_str()).x > width) --kept;
-  const bool fits = ImGui::CalcTextSize(text.c_str()).x <= width;
-  ImGui::TextUnformatted((fits ? text : text.substr(0, kept) + "...").c_str());
+  const auto shortened = [&] { return text.substr(0, kept) + "..."; };
+  while (kept > 0 && ImGui::CalcTextSize(shortened().c_str()).x > width) {
+    // Whole characters only: in UTF-8 all bytes but the first are 10xxxxxx.
+    do --kept;
+    while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xc0U) == 0x80U);
+  }
+  return shortened();
+}
+
+void elided_text(const std::string& text) {
+  ImGui::TextUnformatted(elided(text, ImGui::GetContentRegionAvail().x).c_str());
 }
 
 void note(const char* text) {

@@ -43,6 +43,8 @@ bool wide_text_field(const char* label, std::string& value, const char* hint = "
 
 /// Value that cannot be edited.
 void value_row(const char* label, const std::string& value);
+/// `text`, or as much of it as fits `width` with dots at its end.
+std::string elided(const std::string& text, float width);
 /// One line, cut off with dots where the panel ends.
 void elided_text(const std::string& text);
 /// Muted paragraph that wraps.

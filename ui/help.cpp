@@ -1,6 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <string>
 
 #include "ui/panels.h"
@@ -13,7 +12,7 @@ namespace {
 void draw_group(const char* group) {
   ImGui::TextColored(kPalette.accent, "%s", group);
   if (ImGui::BeginTable(group, 2)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 9.5F * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 7.6F * ImGui::GetFontSize());
     ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch);
     for (const Shortcut& shortcut : shortcuts()) {
       if (shortcut.group != std::string(group)) continue;
@@ -32,15 +31,16 @@ void draw_group(const char* group) {
 
 void draw_help(Workbench& bench) {
   if (!bench.help_shown) return;
-  const float em = ImGui::GetFontSize();
-  const ImVec2 screen = ImGui::GetMainViewport()->WorkSize;
-  ImGui::SetNextWindowSize({std::min(50 * em, screen.x), std::min(41 * em, screen.y)},
-                           ImGuiCond_Appearing);
+  ImGui::SetNextWindowSizeConstraints({0, 0}, ImGui::GetMainViewport()->WorkSize);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
   if (ImGui::Begin("Keys", &bench.help_shown,
                    ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoCollapse |
-                       ImGuiWindowFlags_NoSavedSettings)) {
-    if (ImGui::BeginTable("columns", 2)) {
+                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingFixedFit)) {
+      // As wide as their longest lines.
+      const float em = ImGui::GetFontSize();
+      ImGui::TableSetupColumn("left", ImGuiTableColumnFlags_WidthFixed, 16 * em);
+      ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, 19 * em);
       ImGui::TableNextColumn();
       for (const char* group : {"File", "Edit", "Render", "Window"}) draw_group(group);
       ImGui::TableNextColumn();

@@ -71,9 +71,12 @@ void draw_item_row(Workbench& bench, Selection item, const char* icon, const ImV
     const ImVec4& accent = kPalette.accent;
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(accent.x, accent.y, accent.z, 0.25F));
   }
+  // Rows touch, and their highlight is as wide in every list.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::Selectable("##row", selected, ImGuiSelectableFlags_None, {width, height})) {
     select(bench, item);
   }
+  ImGui::PopStyleVar();
   note_widget(name.c_str());
   if (selected) ImGui::PopStyleColor();
   context_menu(bench, item);
@@ -94,7 +97,7 @@ void draw_item_row(Workbench& bench, Selection item, const char* icon, const ImV
   const ImVec2 text{start.x + 1.7F * em, middle - 0.5F * em};
   list->PushClipRect(start, {start.x + width, start.y + height}, true);
   list->AddText(text, ImGui::GetColorU32(dimmed ? ImGuiCol_TextDisabled : ImGuiCol_Text),
-                name.c_str());
+                elided(name, start.x + width - text.x).c_str());
   list->PopClipRect();
   ImGui::PopID();
 }

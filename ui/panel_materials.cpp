@@ -34,12 +34,11 @@ void draw_materials_panel(Workbench& bench) {
       add_material_menu(bench);
       ImGui::EndPopup();
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0));
     for (int i = 0; i < item_count(scene, ItemKind::Material); ++i) {
       const ImVec4 swatch = swatch_of(scene.materials[static_cast<std::size_t>(i)]);
       draw_item_row(bench, {ItemKind::Material, i}, icon::kMaterial, &swatch, false, 0);
     }
-    ImGui::PopStyleVar();
+    ImGui::Spacing();
     ImGui::Spacing();
     ImGui::PushID("textures");
     if (list_header("Textures", item_count(scene, ItemKind::Texture), "Add texture")) {
@@ -53,6 +52,7 @@ void draw_materials_panel(Workbench& bench) {
       draw_item_row(bench, {ItemKind::Texture, i}, icon::kTexture, nullptr, false, 0);
     }
     ImGui::PopID();
+    ImGui::Spacing();
     ImGui::Spacing();
     ImGui::PushID("media");
     if (list_header("Media", item_count(scene, ItemKind::Medium), "Add medium")) add_medium(bench);

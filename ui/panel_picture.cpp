@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kDegreesPerPixel = 0.3;
 constexpr double kWheelStep = 1.12;
-constexpr double kNearestFrom = 2;  // zoom from which single pixels are shown as squares
+constexpr float kLinesPerFont = 14;  // thickness of the outline: a layout unit
+constexpr double kNearestFrom = 2;   // zoom from which single pixels are shown as squares
 
 ImVec2 im(const glm::dvec2& v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 glm::dvec2 glm2(const ImVec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
@@ -77,11 +78,12 @@ void draw_outline(const Workbench& bench, const ViewRegion& region) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec4& accent = kPalette.accent;
   const ImU32 color = ImGui::GetColorU32(ImVec4(accent.x, accent.y, accent.z, 0.8F));
+  const float thickness = std::max(1.0F, ImGui::GetFontSize() / kLinesPerFont);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (const std::size_t bit : {1U, 2U, 4U}) {
       const std::size_t j = i | bit;
       if (j != i && corners[i] && corners[j])
-        list->AddLine(im(*corners[i]), im(*corners[j]), color);
+        list->AddLine(im(*corners[i]), im(*corners[j]), color, thickness);
     }
   }
 }

@@ -57,10 +57,11 @@ void draw_zoom(Workbench& bench) {
     ImGui::NewLine();  // no room: the keys and the menu do the same
     return;
   }
-  ImGui::SameLine(right - buttons - text);
+  ImGui::SetCursorPosX(right - buttons - text);
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(kPalette.muted, "%s", zoom);
-  ImGui::SameLine(right - buttons + style.ItemSpacing.x);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(right - buttons + style.ItemSpacing.x);
   if (ImGui::Button("Fit")) bench.request(Action::ZoomFit);
   note_widget("Fit");
   tip_for_last("Fit the picture: Ctrl+0");
