@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/compile/render_scene.h"
+#include "core/query/rays.h"
 #include "core/scene/bounds.h"
 #include "core/scene/transform.h"
 #include "ui/icons.h"

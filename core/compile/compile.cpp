@@ -144,14 +144,15 @@ void fill_stats(const Scene& scene, const KernelParts<T>& p, RenderStats& s) {
     if (m == nullptr) continue;
     s.triangles += static_cast<std::int64_t>(m->source->triangles.size());
     s.bytes += bytes_of(m->nodes) + bytes_of(m->blocks) + bytes_of(m->normals) + bytes_of(m->uvs) +
-               bytes_of(m->slot_triangle);
+               bytes_of(m->slot_triangle) + bytes_of(m->triangle_slot);
   }
   s.lights =
       std::count_if(p.lights->pmf.begin(), p.lights->pmf.end(), [](T x) { return x > T(0); });
   s.bytes += bytes_of(g.kind) + bytes_of(g.row) + bytes_of(g.rows) + bytes_of(g.offset) +
-             bytes_of(g.to_object) + bytes_of(g.object) + bytes_of(g.area) +
-             bytes_of(g.tree.nodes) + bytes_of(g.tree.motion) + bytes_of(g.tree.items) +
-             bytes_of(p.materials->rows) + bytes_of(p.lights->pmf) * 4 + bytes_of(p.textures->rows);
+             bytes_of(g.to_object) + bytes_of(g.object) + bytes_of(g.surface_of_object) +
+             bytes_of(g.area) + bytes_of(g.tree.nodes) + bytes_of(g.tree.motion) +
+             bytes_of(g.tree.items) + bytes_of(p.materials->rows) + bytes_of(p.lights->pmf) * 4 +
+             bytes_of(p.textures->rows);
   for (const auto& image : p.textures->keep) {
     if (image != nullptr) s.bytes += bytes_of(image->rgb);
   }

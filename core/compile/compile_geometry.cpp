@@ -140,6 +140,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
                    });
 
   const double eps = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
+  part->surface_of_object.assign(scene.objects.size(), kNoHit);
   std::vector<BvhBox> boxes, boxes_end;
   bool has_mesh = false;
   for (const Candidate& c : candidates) {
@@ -164,7 +165,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     part->offset.push_back(
         static_cast<T>(ulp * (c.kind == PrimitiveKind::Mesh ? kMeshUlps : kShapeUlps)));
     if (!c.surface) continue;
-    ++part->surface_count;
+    part->surface_of_object[i] = part->surface_count++;
     has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
     const auto at = [&](double time) {
       return padded_box(

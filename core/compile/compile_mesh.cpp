@@ -39,12 +39,14 @@ std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh
   part->nodes = std::move(bvh.nodes);
   part->slot_triangle = std::move(bvh.items);
   const std::size_t slots = part->slot_triangle.size();
+  part->triangle_slot.resize(mesh->triangles.size());
   // One more block: wide loads of the last one may read past it.
   part->blocks.resize(slots / kBvhWidth + 1);
   if (!mesh->normals.empty()) part->normals.resize(9 * slots);
   if (!mesh->uvs.empty()) part->uvs.resize(6 * slots);
   for (std::size_t s = 0; s < slots; ++s) {
     if (part->slot_triangle[s] == Bvh::kPadding) continue;
+    part->triangle_slot[part->slot_triangle[s]] = static_cast<std::uint32_t>(s);
     const auto& t = mesh->triangles[part->slot_triangle[s]];
     for (std::size_t v = 0; v < 3; ++v) {
       for (int k = 0; k < 3; ++k) {

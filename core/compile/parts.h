@@ -26,6 +26,7 @@ struct MeshPart {
   std::vector<TriangleBlock<T>> blocks;
   std::vector<T> normals, uvs;
   std::vector<std::uint32_t> slot_triangle;  ///< triangle of the source, or Bvh::kPadding
+  std::vector<std::uint32_t> triangle_slot;  ///< and back
 };
 
 /// Primitives in render space and the tree over them.
@@ -37,7 +38,8 @@ struct GeometryPart {
   bool moving = false;
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;
-  std::vector<int> object;         ///< of each primitive, index into Scene::objects
+  std::vector<int> object;                       ///< of each primitive, index into Scene::objects
+  std::vector<std::uint32_t> surface_of_object;  ///< primitive, or kNoHit; by Scene::objects
   std::vector<double> area;        ///< render space; of a mesh instance 0 (see light part)
   std::vector<std::uint8_t> role;  ///< of each object: bit 0 surface, bit 1 medium boundary
   std::vector<MeshView<T>> mesh_views;

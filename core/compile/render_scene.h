@@ -2,9 +2,7 @@
 // compile(): an editable Scene becomes an immutable RenderScene in render space, shared by threads.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,33 +78,5 @@ std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel
 /// Adds the samples of `work` to `film` (the film of the crop window, divided by work.stride).
 /// A sample is a pure function of (scene, pixel, sample index).
 void render(const RenderScene& scene, const Work& work, FilmView film, Counters& counters);
-
-/// A ray in scene units; `direction` need not be unit, distances are in its lengths.
-struct Ray {
-  glm::dvec3 origin{0};
-  glm::dvec3 direction{0, 0, -1};
-  double t_max = 1e300;
-  double time = 0;
-};
-
-struct Hit {
-  int object = kNone;  ///< index into Scene::objects
-  double t = 0;
-  glm::dvec3 position{0};          ///< scene units, on the surface
-  glm::dvec3 geometric_normal{0};  ///< unit, outward (the shape's front)
-  glm::dvec3 shading_normal{0};
-  glm::dvec3 tangent{0};  ///< unit direction of growing u
-  double u = 0, v = 0;
-  bool front = false;
-};
-
-/// Closest surface (invisible medium boundaries are not surfaces).
-std::optional<Hit> trace(const RenderScene& scene, const Ray& ray);
-/// True if any surface lies within (0, ray.t_max).
-bool occluded(const RenderScene& scene, const Ray& ray);
-
-/// The ray through point (x, y) of the picture in pixels, through the centre of the lens, mid
-/// shutter.
-Ray camera_ray(const Scene& scene, double x, double y);
 
 }  // namespace lightbench

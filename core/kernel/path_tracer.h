@@ -55,6 +55,10 @@ inline void find_surface(const SceneView<T>& scene, const Ray& ray, const Neares
   if (scene.has_emission_textures) apply(v.material.emission_texture, v.material.emission);
 }
 
+/// Where a ray starts that leaves surface point p on the side that the geometric normal n points
+/// to (with -offset: on the other side); `offset` bounds the error of p.
+inline Vec leave_surface(Vec p, Vec n, Real offset) { return madd(n, offset, p); }
+
 /// Power heuristic for a strategy of density a against one of density b.
 inline Real power_heuristic(Real a, Real b) {
   // In ratio form, which cannot overflow.
@@ -136,6 +140,20 @@ inline void add_direct_light(const SceneView<T>& scene, const Vertex& v, const F
   paths.radiance = select(visible, paths.radiance + light, paths.radiance);
 }
 
+/// The light that was hit, in the lanes where it is one that the sampler can choose; 0 elsewhere.
+struct KnownLight {
+  Int light;
+  Mask known;
+};
+inline KnownLight light_of(const SceneView<T>& scene, const NearestHit& hit, Mask active) {
+  const Int primitive = select(active, hit.primitive, Int(0U));
+  const Int first_light = gather(scene.first_light, primitive);
+  const Mask known = active && first_light != Int(kNoLight);
+  const Mask mesh =
+      gather(scene.kind, primitive) == Int(static_cast<std::uint32_t>(PrimitiveKind::Mesh));
+  return {select(known, first_light + select(mesh, hit.slot, Int(0U)), Int(0U)), known};
+}
+
 /// Emission met by the paths' own rays, weighted against light sampling.
 inline void add_emission(const SceneView<T>& scene, const Vertex& v, const NearestHit& hit,
                          Paths& paths) {
@@ -145,14 +163,9 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   Real weight(1);
   const Mask sampled = bright && paths.pdf > Real(0);
   if (any(sampled)) {
-    const Int primitive = select(sampled, hit.primitive, Int(0U));
-    const Int first_light = gather(scene.first_light, primitive);
-    const Mask known = sampled && first_light != Int(kNoLight);
-    const Mask mesh =
-        gather(scene.kind, primitive) == Int(static_cast<std::uint32_t>(PrimitiveKind::Mesh));
-    const Int light = select(known, first_light + select(mesh, hit.slot, Int(0U)), Int(0U));
+    const auto [light, known] = light_of(scene, hit, sampled);
     const Real pdf = gather(scene.light_pmf, light) *
-                     pdf_light(scene, {primitive, hit.slot}, paths.ray.o, paths.ray.time,
+                     pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
                                paths.ray.d, hit.t, v.surface.ng, known);
     weight = select(known, power_heuristic(paths.pdf, pdf), weight);
   }
@@ -199,7 +212,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
   v.n = select(dot(v.n, v.wo) > Real(0), v.n, v.ng);
   if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, hit, paths);
 
-  v.reflect_from = madd(v.ng, v.offset, v.surface.p);
+  v.reflect_from = leave_surface(v.surface.p, v.ng, v.offset);
   if (scene.medium_count > 0) {
     const Vec p = madd(paths.ray.d, medium.t, paths.ray.o);
     v.reflect_from = select(v.in_medium, p, v.reflect_from);
@@ -254,7 +267,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
         select(roulette && going, paths.throughput * (Real(1) / survival), paths.throughput);
   }
   going = going && max_component(paths.throughput) > Real(0);
-  const Vec through = madd(v.ng, -v.offset, v.surface.p);
+  const Vec through = leave_surface(v.surface.p, v.ng, -v.offset);
   paths.ray.o = select(same_side || v.in_medium, v.reflect_from, through);
   paths.ray.d = next.wi;
   paths.ray.inside = !v.in_medium && dot(next.wi, v.surface.ng) < Real(0);

@@ -29,6 +29,8 @@ inline constexpr std::uint32_t kNoLight = 0xffffffffU;
 inline constexpr std::uint32_t kNoHit = 0xffffffffU;
 inline constexpr unsigned kMaterialStride = 16;
 inline constexpr unsigned kTextureStride = 16;
+/// Numbers in a mesh's row before the index of the mesh.
+inline constexpr unsigned kMeshRow = 24;
 
 template <class T>
 struct MeshView {

@@ -7,7 +7,7 @@
 LIGHTBENCH_KERNEL_BEGIN
 
 struct MeshInstance {
-  static constexpr unsigned kRow = 24;  ///< then the index of the mesh
+  static constexpr unsigned kRow = kMeshRow;  ///< then the index of the mesh
   Affine to_local, to_world;
 };
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/query/rays.h"
 #include "tests/transport/build_scene.h"
 #include "tests/transport/closed_forms.h"
 #include "tests/transport/measure.h"

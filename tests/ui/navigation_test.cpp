@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/compile/render_scene.h"
+#include "core/query/rays.h"
 
 namespace lightbench::ui {
 namespace {

@@ -15,6 +15,7 @@
 
 #include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
+#include "core/query/rays.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 

@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-#include "core/compile/render_scene.h"
+#include "core/query/rays.h"
 #include "core/scene/bounds.h"
 #include "core/scene/transform.h"
 #include "tests/unit/shape_gallery.h"

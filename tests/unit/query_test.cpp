@@ -1,0 +1,361 @@
+// Questions put to compiled scenes: many at once are as many alone, and nothing is lost at the
+// border between the scene's units and the kernel's.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "core/query/convert.h"
+#include "core/query/lights.h"
+#include "core/query/materials.h"
+#include "core/query/rays.h"
+#include "core/scene/scene_io.h"
+
+namespace lightbench {
+namespace {
+
+using glm::dvec3;
+
+class Random {
+ public:
+  double unit() { return uniform_(engine_); }
+  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  dvec3 direction() {
+    const double z = between(-1, 1), a = between(0, 6.283185307179586);
+    return {std::sqrt(1 - z * z) * std::cos(a), std::sqrt(1 - z * z) * std::sin(a), z};
+  }
+
+ private:
+  std::mt19937_64 engine_{7};
+  std::uniform_real_distribution<double> uniform_;
+};
+
+std::vector<KernelKind> kernels() {
+  std::vector<KernelKind> found;
+  for (const KernelKind kind :
+       {KernelKind::Scalar, KernelKind::Avx2, KernelKind::Avx512, KernelKind::Reference}) {
+    if (kernel_supported(kind)) found.push_back(kind);
+  }
+  return found;
+}
+
+Scene stored_scene(const char* name) {
+  return load_scene(std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "scenes" / name);
+}
+
+const char* const kScenes[] = {"cornell-three-lights.json", "cornell-smoke.json",
+                               "features/shape-lights.json", "features/shape-mesh.json",
+                               "features/motion-blur.json"};
+
+/// Rays through the picture and a bit beyond, 1.7 long.
+std::vector<Ray> picture_rays(const Scene& scene, int count) {
+  Random random;
+  std::vector<Ray> rays;
+  for (int i = 0; i < count; ++i) {
+    rays.push_back(camera_ray(scene, random.between(-0.2, 1.2) * scene.render.width,
+                              random.between(-0.2, 1.2) * scene.render.height));
+    rays.back().direction *= 1.7;
+    rays.back().time = random.between(scene.camera.shutter_open, scene.camera.shutter_close);
+  }
+  return rays;
+}
+
+bool same(const Hit& a, const Hit& b) {
+  return a.object == b.object && a.t == b.t && a.position == b.position &&
+         a.geometric_normal == b.geometric_normal && a.shading_normal == b.shading_normal &&
+         a.tangent == b.tangent && a.u == b.u && a.v == b.v && a.front == b.front &&
+         a.triangle == b.triangle && a.position_remainder == b.position_remainder;
+}
+
+TEST(RayQueries, ManyAtOnceAreAsManyAlone) {
+  for (const char* name : kScenes) {
+    const Scene scene = stored_scene(name);
+    const std::vector<Ray> rays = picture_rays(scene, 301);
+    std::vector<std::optional<Hit>> first;
+    for (const KernelKind kind : kernels()) {
+      const auto compiled = compile(scene, kind);
+      std::vector<std::optional<Hit>> hits(rays.size());
+      std::vector<std::uint8_t> blocked(rays.size());
+      trace(*compiled, rays, hits);
+      occluded(*compiled, rays, blocked);
+      int found = 0;
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto alone = trace(*compiled, rays[i]);
+        ASSERT_EQ(alone.has_value(), hits[i].has_value()) << name;
+        EXPECT_EQ(blocked[i] != 0, alone.has_value()) << name;
+        if (!alone) continue;
+        ++found;
+        EXPECT_TRUE(same(*alone, *hits[i])) << name;
+        // The float kernels answer alike.
+        if (kind != KernelKind::Reference && !first.empty()) {
+          EXPECT_TRUE(same(*first[i], *hits[i])) << name;
+        }
+      }
+      EXPECT_GT(found, 30) << name;
+      if (first.empty()) first = hits;
+    }
+  }
+}
+
+TEST(RayQueries, TheRayStaysWithinItsEnds) {
+  const Scene scene = stored_scene("features/shape-lights.json");
+  for (const KernelKind kind : kernels()) {
+    const auto compiled = compile(scene, kind);
+    int second = 0;
+    for (const Ray& ray : picture_rays(scene, 200)) {
+      const auto hit = trace(*compiled, ray);
+      if (!hit) continue;
+      EXPECT_NEAR(glm::length(ray.origin + hit->t * ray.direction - hit->position), 0,
+                  1e-4 * glm::length(hit->position - ray.origin));
+      Ray part = ray;
+      part.t_max = hit->t * 0.999;
+      EXPECT_FALSE(trace(*compiled, part).has_value());
+      EXPECT_FALSE(occluded(*compiled, part));
+      part = ray;
+      part.t_min = hit->t * 0.999;
+      const auto again = trace(*compiled, part);
+      ASSERT_TRUE(again.has_value());
+      EXPECT_EQ(again->object, hit->object);
+      EXPECT_NEAR(again->t, hit->t, 1e-5 * hit->t);
+      part.t_min = hit->t * 1.001;
+      const auto behind = trace(*compiled, part);
+      if (behind) {
+        EXPECT_GE(behind->t, part.t_min);
+      }
+      second += behind ? 1 : 0;
+      part.t_max = part.t_min;
+      EXPECT_FALSE(trace(*compiled, part).has_value());
+    }
+    EXPECT_GT(second, 20);
+  }
+}
+
+TEST(RayQueries, SpawnedRaysNeverMeetWhatTheyLeft) {
+  Random random;
+  // Far from 0, where doubles are coarser than the kernel's own points.
+  for (const double offset : {0.0, 1e9}) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.objects.resize(2);
+    scene.objects[0].shape = SphereShape{{offset, offset, 0}, 1, {0, 0, 0}};
+    scene.objects[1].shape = BoxShape{{offset + 2, offset, 0}, {offset + 3, offset + 1, 1}};
+    for (Object& object : scene.objects) object.material = 0;
+    for (const KernelKind kind : kernels()) {
+      const auto compiled = compile(scene, kind);
+      int hits = 0;
+      for (int i = 0; i < 2000; ++i) {
+        const dvec3 target{offset + random.between(-1, 3), offset + random.between(-1, 1),
+                           random.between(-1, 1)};
+        Ray ray;
+        ray.origin = target + 8.0 * random.direction();
+        ray.direction = target - ray.origin;
+        const auto hit = trace(*compiled, ray);
+        if (!hit) continue;
+        ++hits;
+        dvec3 away = random.direction();
+        if (glm::dot(away, hit->geometric_normal) < 0) away = -away;
+        const Ray outward = spawn(*compiled, *hit, away);
+        EXPECT_FALSE(outward.from.inside);
+        const auto other = trace(*compiled, outward);
+        EXPECT_TRUE(!other || other->object != hit->object);
+        const Ray inward = spawn(*compiled, *hit, -away);
+        EXPECT_TRUE(inward.from.inside);
+        const auto exit = trace(*compiled, inward);
+        ASSERT_TRUE(exit.has_value()) << "a leak";
+        EXPECT_EQ(exit->object, hit->object);
+        EXPECT_FALSE(exit->front);
+      }
+      EXPECT_GT(hits, 500) << kernel_name(kind);
+    }
+  }
+}
+
+TEST(RayQueries, PointsCrossTheBorderUnchanged) {
+  Random random;
+  for (int i = 0; i < 20000; ++i) {
+    RenderSpace space;
+    space.scale = std::ldexp(1.0, static_cast<int>(random.between(-40, 40)));
+    const double distance = std::exp(random.between(-20, 40)) / space.scale;
+    space.center = random.direction() * distance;
+    const dvec3 q = random.direction() * std::exp(random.between(-20, 2));
+    dvec3 p, remainder;
+    to_scene(space, q, p, remainder);
+    EXPECT_EQ(to_render(space, p, remainder), q);
+  }
+}
+
+TEST(RayQueries, AMeshNamesItsTriangle) {
+  const Scene scene = stored_scene("features/instances.json");
+  const auto compiled = compile(scene, KernelKind::Auto);
+  int triangles = 0;
+  for (const Ray& ray : picture_rays(scene, 300)) {
+    const auto hit = trace(*compiled, ray);
+    if (!hit) continue;
+    const Object& object = scene.objects[static_cast<std::size_t>(hit->object)];
+    const auto* shape = std::get_if<MeshShape>(&object.shape);
+    ASSERT_EQ(hit->triangle != kNone, shape != nullptr);
+    if (shape == nullptr) continue;
+    ++triangles;
+    const Mesh& mesh = *scene.meshes[static_cast<std::size_t>(shape->mesh)].data;
+    ASSERT_LT(hit->triangle, static_cast<int>(mesh.triangles.size()));
+    // Leaving that triangle, the ray goes on; leaving another, it meets this one.
+    Ray again = ray;
+    again.from = {hit->object, hit->triangle, false};
+    const auto next = trace(*compiled, again);
+    EXPECT_TRUE(!next || next->triangle != hit->triangle || next->object != hit->object);
+    again.from.triangle = hit->triangle == 0 ? 1 : 0;
+    EXPECT_EQ(trace(*compiled, again)->triangle, hit->triangle);
+  }
+  EXPECT_GT(triangles, 25);
+}
+
+TEST(RayQueries, TheRoundedRayIsTheRayTraced) {
+  const Scene scene = stored_scene("cornell-three-lights.json");
+  const auto compiled = compile(scene, KernelKind::Scalar);
+  for (const Ray& ray : picture_rays(scene, 50)) {
+    const Ray seen = as_traced(*compiled, ray);
+    EXPECT_NEAR(glm::length(seen.direction), 1, 1e-7);
+    const Ray again = as_traced(*compiled, seen);
+    EXPECT_EQ(again.origin, seen.origin);
+    EXPECT_NEAR(glm::length(seen.origin - ray.origin), 0, 1e-6 * glm::length(ray.origin));
+    const auto a = trace(*compiled, ray), b = trace(*compiled, seen);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (a) {
+      EXPECT_NEAR(a->t * glm::length(ray.direction), b->t, 1e-5 * b->t);
+    }
+  }
+}
+
+TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
+  for (const char* name : {"cornell-three-lights.json", "features/shape-lights.json"}) {
+    const Scene scene = stored_scene(name);
+    for (const KernelKind kind : kernels()) {
+      const auto compiled = compile(scene, kind);
+      ASSERT_GT(light_count(*compiled), 1) << name;
+      double total = 0;
+      for (int i = 0; i < light_count(*compiled); ++i) {
+        total += light_source(*compiled, i).selection;
+        const int object = light_source(*compiled, i).object;
+        const int material = scene.objects[static_cast<std::size_t>(object)].material;
+        EXPECT_TRUE(emits(scene.materials[static_cast<std::size_t>(material)]));
+      }
+      EXPECT_NEAR(total, 1, 1e-5);
+      Random random;
+      std::vector<LightQuery> queries(500);
+      for (LightQuery& q : queries) {
+        q.point = scene.camera.look_at + random.between(0, 1) * random.direction();
+        q.u = random.unit();
+        q.v = random.unit();
+        q.choice = random.unit();
+      }
+      queries[0].u = queries[0].v = queries[0].choice = 1 - 0x1p-53;
+      std::vector<LightPoint> samples(queries.size()), seen(queries.size());
+      sample_lights(*compiled, queries, samples);
+      std::vector<LightDirection> directions(queries.size());
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        directions[i] = {queries[i].point, samples[i].valid ? samples[i].direction : dvec3(1, 0, 0),
+                         std::max(samples[i].light, 0)};
+      }
+      pdf_lights(*compiled, directions, seen);
+      int compared = 0;
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        const LightPoint &a = samples[i], &b = seen[i];
+        if (!a.valid || !b.valid) continue;
+        // Samples on the far side of a solid are met on the near one.
+        if (std::abs(a.distance / b.distance - 1) > 1e-3 || glm::dot(a.normal, b.normal) < 0.99) {
+          continue;
+        }
+        ++compared;
+        EXPECT_EQ(a.light, b.light);
+        EXPECT_EQ(a.selection, b.selection);
+        EXPECT_EQ(a.radiance == dvec3(0), b.radiance == dvec3(0));
+        EXPECT_NEAR(glm::dot(a.direction, a.direction), 1, 1e-6);
+        EXPECT_NEAR(b.pdf / a.pdf, 1, 1e-2) << name << " " << kernel_name(kind);
+      }
+      EXPECT_GT(compared, 200) << name;
+    }
+  }
+}
+
+TEST(LightQueries, WithoutANameTheNearestSurfaceAnswers) {
+  const Scene scene = stored_scene("cornell-three-lights.json");
+  const auto compiled = compile(scene, KernelKind::Auto);
+  int lights = 0, others = 0;
+  for (const Ray& ray : picture_rays(scene, 2000)) {
+    LightDirection query{ray.origin, ray.direction};
+    LightPoint point;
+    pdf_lights(*compiled, {&query, 1}, {&point, 1});
+    const auto hit = trace(*compiled, ray);
+    const int material =
+        hit ? scene.objects[static_cast<std::size_t>(hit->object)].material : kNone;
+    const bool light =
+        material != kNone && emits(scene.materials[static_cast<std::size_t>(material)]);
+    ASSERT_EQ(point.valid, light);
+    ++(light ? lights : others);
+    if (light) {
+      EXPECT_EQ(light_source(*compiled, point.light).object, hit->object);
+    }
+  }
+  EXPECT_GT(lights, 20);
+  EXPECT_GT(others, 20);
+}
+
+TEST(BsdfQueries, WeightTimesDensityIsTheValue) {
+  Scene scene;  // with materials that no object has
+  const auto add = [&](MaterialKind kind, auto... set) {
+    Material m;
+    m.kind = kind;
+    m.base_color = {0.9, 0.5, 0.2};
+    (set(m), ...);
+    scene.materials.push_back(m);
+  };
+  add(MaterialKind::Lambertian);
+  add(MaterialKind::Metal, [](Material& m) { m.roughness = 0.4; });
+  add(MaterialKind::Metal, [](Material& m) { m.fuzz = 0.3; });
+  add(MaterialKind::Metal);
+  add(MaterialKind::Dielectric);
+  for (const KernelKind kind : kernels()) {
+    const auto compiled = compile(scene, kind);
+    Random random;
+    std::vector<BsdfQuery> queries(1000);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      BsdfQuery& q = queries[i];
+      q.material = static_cast<int>(i % 5);
+      q.normal = random.direction();
+      q.wo = random.direction() * 3.0;
+      q.u = random.unit();
+      q.v = random.unit();
+      q.lobe = random.unit();
+    }
+    std::vector<BsdfSample> samples(queries.size());
+    sample_bsdf(*compiled, queries, samples);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      queries[i].wi = samples[i].valid ? samples[i].wi : queries[i].normal;
+    }
+    std::vector<BsdfValue> values(queries.size());
+    eval_bsdf(*compiled, queries, values);
+    int valid = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const BsdfSample& s = samples[i];
+      if (!s.valid) continue;
+      ++valid;
+      EXPECT_EQ(s.delta, queries[i].material >= 3);
+      if (s.delta) {
+        EXPECT_EQ(values[i].pdf, 0);
+        continue;
+      }
+      // As far as a density may differ that knows the direction rounded only.
+      EXPECT_NEAR(values[i].pdf / s.pdf, 1, 2e-2);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(s.weight[k] * values[i].pdf, values[i].value[k], 1e-4 * values[i].pdf);
+      }
+    }
+    EXPECT_GT(valid, 800);
+  }
+}
+
+}  // namespace
+}  // namespace lightbench
