@@ -23,5 +23,6 @@ void add_render(CLI::App& app, Action& action);
 void add_screenshot(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_query(CLI::App& app, Action& action);
 
 }  // namespace lightbench

@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
   add_screenshot(app, action);
   add_info(app, action);
   add_compare(app, action);
+  add_query(app, action);
   app.footer("Without a subcommand: view. lightbench SUBCOMMAND --help lists its options.");
 
   std::vector<std::string> arguments(argv + 1, argv + argc);
