@@ -108,12 +108,14 @@ std::vector<int> parse_counts(const std::string& flag, const std::string& text) 
 }
 
 KernelKind parse_kernel(const std::string& flag, const std::string& text) {
-  std::string supported;
-  for (const KernelKind kind : {KernelKind::Auto, KernelKind::Avx512, KernelKind::Avx2,
-                                KernelKind::Scalar, KernelKind::Reference}) {
+  if (text == "auto") return KernelKind::Auto;
+  if (text == "float") return best_kernel(Precision::Float);
+  if (text == "double") return best_kernel(Precision::Double);
+  std::string supported = "auto, float, double";
+  for (const KernelKind kind : kKernels) {
     if (!kernel_supported(kind)) continue;
     if (text == kernel_name(kind)) return kind;
-    supported += fmt::format("{}{}", supported.empty() ? "" : ", ", kernel_name(kind));
+    supported += fmt::format(", {}", kernel_name(kind));
   }
   reject(flag, text, fmt::format("a kernel that this processor runs: {}", supported));
 }

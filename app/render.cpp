@@ -183,8 +183,7 @@ int render_scene(const RenderOptions& options) {
     report.status = session.status();
   }
   report.scene_file = options.scene.file;
-  report.kernel = kernel_name(session_options.kernel == KernelKind::Auto ? best_kernel()
-                                                                         : session_options.kernel);
+  report.kernel = kernel_name(report.status.scene.kernel);
   report.stopped_by = interrupted                       ? (signal == SIGINT ? "SIGINT" : "SIGTERM")
                       : scene.render.spp > 0 && reached ? "target"
                                                         : "time limit";

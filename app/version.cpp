@@ -11,10 +11,10 @@ std::string version_number() { return LIGHTBENCH_VERSION; }
 std::string version_text() {
   const std::string commit = LIGHTBENCH_COMMIT;
   std::string kernels;
-  for (const KernelKind kind :
-       {KernelKind::Avx512, KernelKind::Avx2, KernelKind::Scalar, KernelKind::Reference}) {
+  for (const KernelKind kind : kKernels) {
     if (!kernel_supported(kind)) continue;
-    kernels += fmt::format(" {}{}", kernel_name(kind), kind == best_kernel() ? " (auto)" : "");
+    const bool best = kind == best_kernel(precision_of(kind));
+    kernels += fmt::format(" {}{}", kernel_name(kind), best ? " (auto)" : "");
   }
   return fmt::format("lightbench {}{}\ncompiler: {} {}\nkernels:{}", version_number(),
                      commit.empty() ? "" : " (" + commit + ")",

@@ -6,6 +6,7 @@
 #include "core/compile/compile_shading.h"
 #include "core/compile/feature_list.h"
 #include "core/compile/parts.h"
+#include "core/compile/scene_reach.h"
 #include "core/kernel/targets.h"
 
 namespace lightbench {
@@ -13,11 +14,10 @@ namespace {
 
 constexpr Change kGeometryChanges = Change::Transforms | Change::Geometry | Change::Meshes;
 
-/// True if the geometry compiled before still describes the scene after `change`.
-template <class T>
-bool geometry_stands(const GeometryPart<T>& g, const Scene& scene, Change change) {
-  return !any(change & kGeometryChanges) && g.shutter_open == scene.camera.shutter_open &&
-         g.shutter_close == scene.camera.shutter_close && g.role == object_roles(scene);
+/// True if what was measured before still describes the scene after `change`.
+bool reach_stands(const SceneReach& reach, const Scene& scene, Change change) {
+  return !any(change & kGeometryChanges) && reach.shutter_open == scene.camera.shutter_open &&
+         reach.shutter_close == scene.camera.shutter_close && reach.roles == object_roles(scene);
 }
 
 glm::dvec3 channel_peaks(const Image& image) {
@@ -91,7 +91,9 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.seed = scene.render.seed;
   v.inverse_film_unit = static_cast<T>(1 / film_unit);
 
-  const auto uses = [&](auto predicate) { return used_by_surface(scene, g.role, predicate); };
+  const auto uses = [&](auto predicate) {
+    return used_by_surface(scene, g.reach->roles, predicate);
+  };
   const auto metal = [](const Material& m) { return m.kind == MaterialKind::Metal; };
   v.has_lambertian = uses([](const Material& m) { return m.kind == MaterialKind::Lambertian; });
   v.has_dielectric = uses([](const Material& m) { return m.kind == MaterialKind::Dielectric; });
@@ -131,7 +133,7 @@ template <class T>
 void fill_stats(const Scene& scene, const KernelParts<T>& p, RenderStats& s) {
   const GeometryPart<T>& g = *p.geometry;
   s.objects = static_cast<std::int64_t>(
-      std::count_if(g.role.begin(), g.role.end(), [](auto r) { return r != 0; }));
+      std::count_if(g.reach->roles.begin(), g.reach->roles.end(), [](auto r) { return r != 0; }));
   for (std::uint32_t i = 0; i < g.kind.size(); ++i) {
     const auto* m =
         std::get_if<MeshShape>(&scene.objects[static_cast<std::size_t>(g.object[i])].shape);
@@ -162,6 +164,7 @@ void fill_stats(const Scene& scene, const KernelParts<T>& p, RenderStats& s) {
 
 template <class T>
 std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind kernel,
+                                               std::shared_ptr<const SceneReach> reach,
                                                const RenderScene* previous, Change change) {
   const auto start = std::chrono::steady_clock::now();
   auto result = std::make_shared<RenderScene>();
@@ -173,11 +176,11 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
   if (old == nullptr) change = Change::All;
 
   Change& rebuilt = result->stats.rebuilt;
-  const bool keep_geometry = old != nullptr && geometry_stands(*old->geometry, scene, change);
+  const bool keep_geometry = old != nullptr && old->geometry->reach == reach;
   if (keep_geometry) {
     p.geometry = old->geometry;
   } else {
-    p.geometry = compile_geometry<T>(scene, old != nullptr ? old->geometry.get() : nullptr);
+    p.geometry = compile_geometry<T>(scene, reach, old != nullptr ? old->geometry.get() : nullptr);
     rebuilt |= Change::Geometry;
   }
   if (keep_geometry && !any(change & Change::Materials)) {
@@ -209,7 +212,11 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
   result->kernel = kernel;
   fill_view(scene, result->crop, result->film_unit, p);
   fill_stats(scene, p, result->stats);
+  result->stats.kernel = kernel;
+  result->stats.range = range_of(*reach, scene.camera);
+  result->stats.smallest_object = reach->smallest_object;
   parts->kernel = std::move(p);
+  parts->reach = std::move(reach);
   result->parts = std::move(parts);
   result->stats.compile_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -220,9 +227,20 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
 
 std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel,
                                            const RenderScene* previous, Change change) {
-  if (kernel == KernelKind::Auto) kernel = best_kernel();
-  if (kernel == KernelKind::Reference) return compile_for<double>(scene, kernel, previous, change);
-  return compile_for<float>(scene, kernel, previous, change);
+  std::shared_ptr<const SceneReach> reach;
+  if (previous != nullptr && previous->parts != nullptr &&
+      reach_stands(*previous->parts->reach, scene, change)) {
+    reach = previous->parts->reach;
+  } else {
+    reach = std::make_shared<const SceneReach>(measure_reach(scene));
+  }
+  if (kernel == KernelKind::Auto) {
+    const bool fine = range_of(*reach, scene.camera) <= kFloatRange;
+    kernel = best_kernel(fine ? Precision::Float : Precision::Double);
+  }
+  return precision_of(kernel) == Precision::Double
+             ? compile_for<double>(scene, kernel, std::move(reach), previous, change)
+             : compile_for<float>(scene, kernel, std::move(reach), previous, change);
 }
 
 }  // namespace lightbench

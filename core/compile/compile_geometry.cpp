@@ -68,38 +68,20 @@ void add_mesh_row(GeometryPart<T>& part, const MeshPart<T>& mesh, const glm::dma
 
 }  // namespace
 
-std::vector<std::uint8_t> object_roles(const Scene& scene) {
-  std::vector<std::uint8_t> roles(scene.objects.size());
-  for (std::size_t i = 0; i < roles.size(); ++i) {
-    const Object& o = scene.objects[i];
-    const int surface = o.visible && o.material != kNone ? 1 : 0;
-    const int boundary = o.visible && o.medium != kNone ? 2 : 0;
-    roles[i] = static_cast<std::uint8_t>(surface | boundary);
-  }
-  return roles;
-}
-
 template <class T>
 std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
+                                                        std::shared_ptr<const SceneReach> reach,
                                                         const GeometryPart<T>* previous) {
   auto part = std::make_shared<GeometryPart<T>>();
-  part->role = object_roles(scene);
-  part->shutter_open = scene.camera.shutter_open;
-  part->shutter_close = scene.camera.shutter_close;
-
+  const std::vector<std::uint8_t>& roles = reach->roles;
+  const RenderSpace& space = reach->space;
+  part->reach = reach;
   const std::vector<Bounds> meshes = all_mesh_bounds(scene);
-  std::vector<Bounds> surfaces;
   std::vector<bool> mesh_used(scene.meshes.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (part->role[i] == 0) continue;
-    if (const auto* m = std::get_if<MeshShape>(&scene.objects[i].shape)) {
-      mesh_used[static_cast<std::size_t>(m->mesh)] = true;
-    }
-    // Fog around everything says nothing about where the surfaces are.
-    if ((part->role[i] & 1) != 0)
-      surfaces.push_back(object_bounds(scene.objects[i], scene.camera, meshes));
+    const auto* m = std::get_if<MeshShape>(&scene.objects[i].shape);
+    if (roles[i] != 0 && m != nullptr) mesh_used[static_cast<std::size_t>(m->mesh)] = true;
   }
-  part->space = choose_render_space(surfaces);
 
   part->meshes.resize(scene.meshes.size());
   part->mesh_views.resize(scene.meshes.size());
@@ -123,13 +105,14 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
   std::vector<ShapeRow> shape_rows(scene.objects.size());
   std::vector<glm::dmat4> to_render(scene.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (part->role[i] == 0) continue;
+    if (roles[i] == 0) continue;
     const Object& o = scene.objects[i];
-    to_render[i] = to_render_space(part->space, object_to_world(o.transform));
-    shape_rows[i] = make_shape_row(o.shape, to_render[i], part->shutter_open, part->shutter_close);
+    to_render[i] = to_render_space(space, object_to_world(o.transform));
+    shape_rows[i] =
+        make_shape_row(o.shape, to_render[i], reach->shutter_open, reach->shutter_close);
     if (std::holds_alternative<MeshShape>(o.shape)) shape_rows[i].kind = PrimitiveKind::Mesh;
     for (const bool surface : {true, false}) {
-      if ((part->role[i] & (surface ? 1 : 2)) != 0) {
+      if ((roles[i] & (surface ? 1 : 2)) != 0) {
         candidates.push_back({static_cast<int>(i), shape_rows[i].kind, surface});
       }
     }
@@ -160,7 +143,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     append_affine(inverse, glm::inverse(to_render[i]));
     for (const double x : inverse) part->to_object.push_back(static_cast<T>(x));
 
-    const Bounds box = render_bounds(part->space, object_bounds(o, scene.camera, meshes));
+    const Bounds box = render_bounds(space, object_bounds(o, scene.camera, meshes));
     const double ulp = eps * largest_coordinate(box);
     part->offset.push_back(
         static_cast<T>(ulp * (c.kind == PrimitiveKind::Mesh ? kMeshUlps : kShapeUlps)));
@@ -169,14 +152,13 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
     const auto at = [&](double time) {
       return padded_box(
-          render_bounds(part->space, object_bounds(o, shutter_at(scene.camera, time), meshes)),
-          4 * ulp);
+          render_bounds(space, object_bounds(o, shutter_at(scene.camera, time), meshes)), 4 * ulp);
     };
-    boxes.push_back(at(part->shutter_open));
-    boxes_end.push_back(at(part->shutter_close));
+    boxes.push_back(at(reach->shutter_open));
+    boxes_end.push_back(at(reach->shutter_close));
     const auto* sphere = std::get_if<SphereShape>(&o.shape);
     part->moving = part->moving || (sphere != nullptr && sphere->motion != glm::dvec3(0) &&
-                                    part->shutter_close > part->shutter_open);
+                                    reach->shutter_close > reach->shutter_open);
   }
   if (part->surface_count >= kTinyScene || has_mesh) {
     if (!part->moving) boxes_end.clear();
@@ -185,9 +167,9 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
   return part;
 }
 
-template std::shared_ptr<const GeometryPart<float>> compile_geometry(const Scene&,
-                                                                     const GeometryPart<float>*);
-template std::shared_ptr<const GeometryPart<double>> compile_geometry(const Scene&,
-                                                                      const GeometryPart<double>*);
+template std::shared_ptr<const GeometryPart<float>> compile_geometry(
+    const Scene&, std::shared_ptr<const SceneReach>, const GeometryPart<float>*);
+template std::shared_ptr<const GeometryPart<double>> compile_geometry(
+    const Scene&, std::shared_ptr<const SceneReach>, const GeometryPart<double>*);
 
 }  // namespace lightbench

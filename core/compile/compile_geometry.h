@@ -11,9 +11,7 @@ inline constexpr std::uint32_t kTinyScene = 64;
 /// Meshes of `previous` are kept where their data is the same.
 template <class T>
 std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
+                                                        std::shared_ptr<const SceneReach> reach,
                                                         const GeometryPart<T>* previous);
-
-/// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.
-std::vector<std::uint8_t> object_roles(const Scene& scene);
 
 }  // namespace lightbench

@@ -10,7 +10,7 @@
 
 #include "core/accel/bvh.h"
 #include "core/compile/render_scene.h"
-#include "core/compile/render_space.h"
+#include "core/compile/scene_reach.h"
 #include "core/kernel/scene_view.h"
 
 namespace lightbench {
@@ -32,16 +32,14 @@ struct MeshPart {
 /// Primitives in render space and the tree over them.
 template <class T>
 struct GeometryPart {
-  RenderSpace space;
-  double shutter_open = 0, shutter_close = 1;
+  std::shared_ptr<const SceneReach> reach;
   std::uint32_t surface_count = 0;
   bool moving = false;
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;
   std::vector<int> object;                       ///< of each primitive, index into Scene::objects
   std::vector<std::uint32_t> surface_of_object;  ///< primitive, or kNoHit; by Scene::objects
-  std::vector<double> area;        ///< render space; of a mesh instance 0 (see light part)
-  std::vector<std::uint8_t> role;  ///< of each object: bit 0 surface, bit 1 medium boundary
+  std::vector<double> area;  ///< render space; of a mesh instance 0 (see light part)
   std::vector<MeshView<T>> mesh_views;
   std::vector<std::shared_ptr<const MeshPart<T>>> meshes;  ///< by Scene::meshes, null if unused
   Bvh tree;                                                ///< no nodes in tiny scenes
@@ -81,6 +79,7 @@ struct KernelParts {
 };
 
 struct RenderScene::Parts {
+  std::shared_ptr<const SceneReach> reach;
   std::variant<KernelParts<float>, KernelParts<double>> kernel;
 };
 

@@ -12,11 +12,18 @@
 
 namespace lightbench {
 
-/// Which build of the kernel traces: Auto = the widest float kernel this processor runs.
-enum class KernelKind { Auto, Avx512, Avx2, Scalar, Reference };
+/// Which build of the kernel traces. Auto: the precision that the scene's range asks for
+/// (scene_reach.h), as wide as this processor runs. Kernels of one precision give the same bits;
+/// Scalar is the plain float one, Reference the plain double one.
+enum class KernelKind { Auto, Avx512, Avx2, Scalar, Avx512Double, Avx2Double, Reference };
+inline constexpr KernelKind kKernels[] = {KernelKind::Avx512,     KernelKind::Avx2,
+                                          KernelKind::Scalar,     KernelKind::Avx512Double,
+                                          KernelKind::Avx2Double, KernelKind::Reference};
 const char* kernel_name(KernelKind kind);
-/// The float kernel that Auto means on this processor.
-KernelKind best_kernel();
+enum class Precision { Float, Double };
+Precision precision_of(KernelKind kind);
+/// The widest kernel of a precision that this processor runs.
+KernelKind best_kernel(Precision precision);
 /// False for kernels whose instruction set this processor lacks. Auto is always supported.
 bool kernel_supported(KernelKind kind);
 
@@ -49,10 +56,13 @@ struct Feature {
 
 struct RenderStats {
   std::int64_t objects = 0;
-  std::int64_t primitives = 0;  ///< analytic shapes plus instanced triangles
-  std::int64_t triangles = 0;   ///< unique mesh triangles
-  std::int64_t lights = 0;      ///< emitters the light sampler can choose
-  std::int64_t bytes = 0;       ///< memory of the compiled scene
+  std::int64_t primitives = 0;             ///< analytic shapes plus instanced triangles
+  std::int64_t triangles = 0;              ///< unique mesh triangles
+  std::int64_t lights = 0;                 ///< emitters the light sampler can choose
+  std::int64_t bytes = 0;                  ///< memory of the compiled scene
+  KernelKind kernel = KernelKind::Scalar;  ///< never Auto
+  double range = 1;                        ///< what Auto judges the precision by, scene_reach.h
+  std::string smallest_object;             ///< the object with the smallest feature
   double compile_seconds = 0;
   Change rebuilt = Change::None;  ///< what this compile rebuilt; the rest is shared with `previous`
   std::vector<Feature> features;

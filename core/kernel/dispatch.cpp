@@ -1,5 +1,8 @@
 // Kernel choice at start-up, and rendering through it.
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/kernel/dispatch.h"
 
 namespace lightbench {
@@ -14,6 +17,10 @@ const char* kernel_name(KernelKind kind) {
       return "avx2";
     case KernelKind::Scalar:
       return "scalar";
+    case KernelKind::Avx512Double:
+      return "avx512-double";
+    case KernelKind::Avx2Double:
+      return "avx2-double";
     case KernelKind::Reference:
       return "reference";
   }
@@ -26,23 +33,30 @@ bool kernel_supported(KernelKind kind) {
   // lints this file, does not know the levels' names.
   const bool v3 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
                   __builtin_cpu_supports("bmi2") != 0;
-  if (kind == KernelKind::Avx2) return v3;
-  if (kind == KernelKind::Avx512) {
+  if (kind == KernelKind::Avx2 || kind == KernelKind::Avx2Double) return v3;
+  if (kind == KernelKind::Avx512 || kind == KernelKind::Avx512Double) {
     return v3 && __builtin_cpu_supports("avx512f") != 0 &&
            __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
            __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
   }
 #else
-  if (kind == KernelKind::Avx512 || kind == KernelKind::Avx2) return false;
+  return kind == KernelKind::Auto || kind == KernelKind::Scalar || kind == KernelKind::Reference;
 #endif
   return true;
 }
 
-KernelKind best_kernel() {
-  for (const KernelKind kind : {KernelKind::Avx512, KernelKind::Avx2}) {
-    if (kernel_supported(kind)) return kind;
-  }
-  return KernelKind::Scalar;
+Precision precision_of(KernelKind kind) {
+  return kind == KernelKind::Avx512Double || kind == KernelKind::Avx2Double ||
+                 kind == KernelKind::Reference
+             ? Precision::Double
+             : Precision::Float;
+}
+
+KernelKind best_kernel(Precision precision) {
+  // kKernels lists the widest first, and its plain ones run everywhere.
+  return *std::find_if(std::begin(kKernels), std::end(kKernels), [&](KernelKind kind) {
+    return precision_of(kind) == precision && kernel_supported(kind);
+  });
 }
 
 Counters& Counters::operator+=(const Counters& other) {

@@ -2,14 +2,15 @@
 // The number types of the kernel: Real, Int (unsigned 32-bit), Mask, each holding kLanes values,
 // and the few operations the renderer needs on them. Everything that core/kernel/render.h includes
 // is written once over these and compiled for each target: one float (scalar), one double
-// (reference), 8 and 16 floats.
+// (reference), 8 and 16 floats, 4 and 8 doubles.
 //
 // A target's translation unit defines LIGHTBENCH_TARGET (namespace), LIGHTBENCH_LANES and, for
 // double, LIGHTBENCH_DOUBLE. All code sits in an unnamed namespace inside the target's, so that the
 // linker can never merge a function compiled for one instruction set into another.
 //
-// The float targets give bit-identical results: same operations, exact division and square root, no
-// contraction (-ffp-contract=off); fused multiply-adds are written by name.
+// The float targets give bit-identical results, and so do the double ones: same operations, exact
+// division and square root, no contraction (-ffp-contract=off); fused multiply-adds are written by
+// name.
 
 #ifndef LIGHTBENCH_TARGET
 #error "include from a target translation unit (core/kernel/target_*.cpp)"
@@ -26,6 +27,8 @@
 
 #if LIGHTBENCH_LANES == 1
 #include "core/kernel/lanes_scalar.h"
+#elif defined(LIGHTBENCH_DOUBLE)
+#include "core/kernel/lanes_x86_double.h"
 #else
 #include "core/kernel/lanes_x86.h"
 #endif

@@ -24,7 +24,6 @@ inline bool any(Mask m) { return m; }
 inline bool none(Mask m) { return !m; }
 inline std::uint32_t bits(Mask m) { return m ? 1U : 0U; }
 inline Mask mask_from_bits(std::uint32_t b) { return (b & 1U) != 0; }
-inline Int lane_index() { return 0; }
 
 // Ordered so that a NaN in `a` loses: both return `b` then (the x86 instructions' rule).
 inline Real min(Real a, Real b) { return a < b ? a : b; }

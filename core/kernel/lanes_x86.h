@@ -1,5 +1,5 @@
 #pragma once
-// 8 lanes on AVX2, 16 on AVX-512: thin structs over the compiler's vector extensions, with
+// Float: 8 lanes on AVX2, 16 on AVX-512: thin structs over the compiler's vector extensions, with
 // intrinsics only where the language has no operator. AVX-512 masks live in k-registers.
 
 // g++ 12 warns of its own header's deliberately undefined registers (GCC PR 105593).
@@ -60,27 +60,6 @@ struct Int {
   explicit Int(IntLanes a) : v(a) {}
 };
 
-inline Real operator+(Real a, Real b) { return Real(a.v + b.v); }
-inline Real operator-(Real a, Real b) { return Real(a.v - b.v); }
-inline Real operator*(Real a, Real b) { return Real(a.v * b.v); }
-inline Real operator/(Real a, Real b) { return Real(a.v / b.v); }
-inline Real operator-(Real a) { return Real(-a.v); }
-inline Real& operator+=(Real& a, Real b) { return a = a + b; }
-inline Real& operator-=(Real& a, Real b) { return a = a - b; }
-inline Real& operator*=(Real& a, Real b) { return a = a * b; }
-
-inline Int operator+(Int a, Int b) { return Int(a.v + b.v); }
-inline Int operator-(Int a, Int b) { return Int(a.v - b.v); }
-inline Int operator*(Int a, Int b) { return Int(a.v * b.v); }
-inline Int operator&(Int a, Int b) { return Int(a.v & b.v); }
-inline Int operator|(Int a, Int b) { return Int(a.v | b.v); }
-inline Int operator^(Int a, Int b) { return Int(a.v ^ b.v); }
-inline Int operator<<(Int a, int n) { return Int(a.v << n); }
-inline Int operator>>(Int a, int n) { return Int(a.v >> n); }
-inline Int& operator+=(Int& a, Int b) { return a = a + b; }
-inline Int& operator^=(Int& a, Int b) { return a = a ^ b; }
-inline Int& operator*=(Int& a, Int b) { return a = a * b; }
-
 #if LIGHTBENCH_LANES == 16
 inline Mask operator<(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)); }
 inline Mask operator<=(Real a, Real b) { return Mask(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)); }
@@ -104,9 +83,6 @@ inline Int select(Mask m, Int a, Int b) {
 }
 inline std::uint32_t bits(Mask a) { return a.m; }
 inline Mask mask_from_bits(std::uint32_t b) { return Mask(static_cast<__mmask16>(b)); }
-inline Int lane_index() {
-  return Int(IntLanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
-}
 inline Real floor(Real a) {
   return Real(RealLanes(_mm512_roundscale_ps(a.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)));
 }
@@ -146,7 +122,6 @@ inline Int select(Mask m, Int a, Int b) {
 inline std::uint32_t bits(Mask a) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(a.m)));
 }
-inline Int lane_index() { return Int(IntLanes{0, 1, 2, 3, 4, 5, 6, 7}); }
 inline Mask mask_from_bits(std::uint32_t b) {
   const SignedLanes lane_bit = {1, 2, 4, 8, 16, 32, 64, 128};
   return Mask(SignedLanes((SignedLanes(broadcast(b)) & lane_bit) == lane_bit));
@@ -167,21 +142,13 @@ inline void store(std::uint32_t* p, Int a) {
 }
 #endif
 
-inline Mask operator>(Real a, Real b) { return b < a; }
-inline Mask operator>=(Real a, Real b) { return b <= a; }
-inline Mask operator>(Int a, Int b) { return b < a; }
-inline Mask operator>=(Int a, Int b) { return !(a < b); }
-inline Mask operator<=(Int a, Int b) { return !(b < a); }
-inline Mask operator!=(Int a, Int b) { return !(a == b); }
-inline Mask operator==(Mask a, Mask b) { return !(a != b); }
-inline Mask select(Mask m, Mask a, Mask b) { return (m && a) || (!m && b); }
-inline bool any(Mask m) { return bits(m) != 0; }
-inline bool none(Mask m) { return bits(m) == 0; }
+LIGHTBENCH_KERNEL_END
+#include "core/kernel/lanes_operators.h"
+LIGHTBENCH_KERNEL_BEGIN
 
 // Ordered so that a NaN in `a` loses: both return `b` then.
 inline Real min(Real a, Real b) { return Real(RealLanes(LB_INTRINSIC(min_ps)(a.v, b.v))); }
 inline Real max(Real a, Real b) { return Real(RealLanes(LB_INTRINSIC(max_ps)(a.v, b.v))); }
-inline Int min(Int a, Int b) { return select(a < b, a, b); }
 inline Real sqrt(Real a) { return Real(RealLanes(LB_INTRINSIC(sqrt_ps)(a.v))); }
 inline Real fma(Real a, Real b, Real c) {
   return Real(RealLanes(LB_INTRINSIC(fmadd_ps)(a.v, b.v, c.v)));

@@ -21,6 +21,8 @@ struct KernelTable {
 #ifdef LIGHTBENCH_X86
 LIGHTBENCH_DECLARE_TARGET(avx512, float)
 LIGHTBENCH_DECLARE_TARGET(avx2, float)
+LIGHTBENCH_DECLARE_TARGET(avx512_double, double)
+LIGHTBENCH_DECLARE_TARGET(avx2_double, double)
 #endif
 LIGHTBENCH_DECLARE_TARGET(scalar, float)
 LIGHTBENCH_DECLARE_TARGET(reference, double)

@@ -56,12 +56,12 @@ inline double safe_length(const glm::dvec3& v) {
 /// A scene's time in [0,1] over the shutter.
 template <class T>
 double shutter_share(const GeometryPart<T>& geometry, double time) {
-  const double shutter = geometry.shutter_close - geometry.shutter_open;
-  return shutter > 0 ? std::clamp((time - geometry.shutter_open) / shutter, 0.0, 1.0) : 0.0;
+  const double shutter = geometry.reach->shutter_close - geometry.reach->shutter_open;
+  return shutter > 0 ? std::clamp((time - geometry.reach->shutter_open) / shutter, 0.0, 1.0) : 0.0;
 }
 template <class T>
 double shutter_time(const GeometryPart<T>& geometry, double share) {
-  return geometry.shutter_open + share * (geometry.shutter_close - geometry.shutter_open);
+  return geometry.reach->shutter_open + share * (geometry.reach->shutter_close - geometry.reach->shutter_open);
 }
 
 /// Slot of a mesh's triangle, or triangle of its slot; the object need not be a mesh.

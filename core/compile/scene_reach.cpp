@@ -1,0 +1,104 @@
+#include "core/compile/scene_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <variant>
+
+namespace lightbench {
+namespace {
+
+double smallest_component(const glm::dvec3& v) { return std::min({v.x, v.y, v.z}); }
+double largest_component(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// Twice the area of a triangle over its longest side.
+double altitude(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  return glm::length(glm::cross(b - a, c - a)) / longest;
+}
+
+/// The smallest length that makes up a shape, in object space.
+struct SmallestFeature {
+  const std::vector<Bounds>& meshes;
+
+  double operator()(const SphereShape& s) const { return s.radius; }
+  double operator()(const CylinderShape& s) const {
+    return std::min(s.radius, glm::distance(s.p0, s.p1));
+  }
+  double operator()(const DiscShape& s) const { return s.radius; }
+  double operator()(const RectangleShape& s) const {
+    const double longest = std::max(glm::length(s.edge_u), glm::length(s.edge_v));
+    return glm::length(glm::cross(s.edge_u, s.edge_v)) / longest;
+  }
+  double operator()(const TriangleShape& s) const { return altitude(s.a, s.b, s.c); }
+  double operator()(const PyramidShape& s) const {
+    const auto& v = s.vertices;
+    const double volume6 = std::abs(glm::dot(v[1] - v[0], glm::cross(v[2] - v[0], v[3] - v[0])));
+    double area2 = 0;
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
+      area2 = std::max(area2, glm::length(glm::cross(b - a, c - a)));
+    }
+    return volume6 / area2;
+  }
+  double operator()(const BoxShape& s) const { return smallest_component(s.max - s.min); }
+  double operator()(const MeshShape& s) const {
+    const Bounds& b = meshes[static_cast<std::size_t>(s.mesh)];
+    return b.empty() ? std::numeric_limits<double>::infinity() : largest_component(b.size());
+  }
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> object_roles(const Scene& scene) {
+  std::vector<std::uint8_t> roles(scene.objects.size());
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const Object& o = scene.objects[i];
+    const int surface = o.visible && o.material != kNone ? 1 : 0;
+    const int boundary = o.visible && o.medium != kNone ? 2 : 0;
+    roles[i] = static_cast<std::uint8_t>(surface | boundary);
+  }
+  return roles;
+}
+
+SceneReach measure_reach(const Scene& scene) {
+  SceneReach reach;
+  reach.shutter_open = scene.camera.shutter_open;
+  reach.shutter_close = scene.camera.shutter_close;
+  reach.roles = object_roles(scene);
+  reach.smallest = std::numeric_limits<double>::infinity();
+  const std::vector<Bounds> meshes = all_mesh_bounds(scene);
+  // Fog around everything says nothing about where the surfaces are.
+  std::vector<Bounds> surfaces;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    if (reach.roles[i] == 0) continue;
+    if ((reach.roles[i] & 1) != 0) {
+      surfaces.push_back(object_bounds(object, scene.camera, meshes));
+    }
+    const double feature = std::visit(SmallestFeature{meshes}, object.shape) *
+                           smallest_component(glm::abs(object.transform.scale));
+    if (feature < reach.smallest) {
+      reach.smallest = feature;
+      reach.smallest_object = object.name;
+    }
+  }
+  reach.space = choose_render_space(surfaces);
+  for (const Bounds& b : surfaces) {
+    if (b.empty()) continue;
+    reach.farthest =
+        std::max({reach.farthest, largest_component(glm::abs(b.min - reach.space.center)),
+                  largest_component(glm::abs(b.max - reach.space.center))});
+  }
+  return reach;
+}
+
+double range_of(const SceneReach& reach, const Camera& camera) {
+  if (!std::isfinite(reach.smallest)) return 1;
+  const double eye = largest_component(glm::abs(camera.look_from - reach.space.center));
+  return std::max(reach.farthest, eye) / reach.smallest;
+}
+
+}  // namespace lightbench

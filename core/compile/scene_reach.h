@@ -1,0 +1,39 @@
+#pragma once
+// How far a scene reaches and how fine it is: the render space that suits it, and the number type.
+// Float positions in render space are good to 2^-24 of the farthest coordinate; where that is
+// coarse against the smallest feature, double lanes trace.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/compile/render_space.h"
+#include "core/scene/scene.h"
+
+namespace lightbench {
+
+/// The largest range for which float lanes are chosen. Positions are then good to a thousandth of
+/// the smallest feature: 2^-24 * 2^14 = 2^-10.
+inline constexpr double kFloatRange = 16384;
+
+struct SceneReach {
+  RenderSpace space;
+  double shutter_open = 0, shutter_close = 1;  ///< what moves was measured between these times
+  std::vector<std::uint8_t> roles;             ///< of each object, see object_roles()
+  double farthest = 0;  ///< largest coordinate of a surface, from the middle of render space
+  /// The smallest radius, height, thickness or altitude of any object; infinite without objects. Of
+  /// a mesh its longest side: triangles live in a space of their own and share their vertices.
+  double smallest = 0;
+  std::string smallest_object;  ///< its name
+};
+
+/// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.
+std::vector<std::uint8_t> object_roles(const Scene& scene);
+
+SceneReach measure_reach(const Scene& scene);
+
+/// The farthest surface or camera position over the smallest feature; 1 without objects.
+double range_of(const SceneReach& reach, const Camera& camera);
+
+}  // namespace lightbench

@@ -1,0 +1,4 @@
+#define LIGHTBENCH_TARGET avx512_double
+#define LIGHTBENCH_LANES 8
+#define LIGHTBENCH_DOUBLE
+#include "core/query/entry_points.h"
