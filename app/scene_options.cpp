@@ -60,7 +60,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options, SceneArgument argum
                  "Rendering threads: 0 = all, negative = all minus that many")
       ->type_name("N");
   app.add_option("--kernel", options.kernel,
-                 "Build of the tracer: auto, avx512, avx2, scalar, or reference (double precision)")
+                 "Build of the tracer: auto, float, double, or a name that --version lists")
       ->type_name("NAME")
       ->capture_default_str();
 }

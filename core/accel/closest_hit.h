@@ -33,11 +33,13 @@ constexpr bool is_planar(PrimitiveKind kind) {
 template <PrimitiveKind kKind>
 Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
   const Row row{scene.rows + scene.row[i]};
-  if constexpr (kKind == PrimitiveKind::Sphere) return hit_sphere(sphere_at(row, ray.time), ray);
+  if constexpr (kKind == PrimitiveKind::Sphere)
+    return hit_sphere(sphere_at(row, ray.time), ray, scene.hit_quality).span;
   if constexpr (kKind == PrimitiveKind::Ellipsoid) {
-    return hit_ellipsoid(ellipsoid_at(row, ray.time), ray);
+    return hit_ellipsoid(ellipsoid_at(row, ray.time), ray).span;
   }
-  if constexpr (kKind == PrimitiveKind::Cylinder) return hit_cylinder(cylinder_at(row), ray);
+  if constexpr (kKind == PrimitiveKind::Cylinder)
+    return hit_cylinder(cylinder_at(row), ray, scene.hit_quality);
   if constexpr (kKind == PrimitiveKind::EllipticCylinder) {
     return hit_elliptic_cylinder(elliptic_cylinder_at(row), ray);
   }
@@ -392,11 +394,11 @@ inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i, const Ray&
   const Row row{scene.rows + scene.row[i]};
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:
-      return surface_sphere(sphere_at(row, ray.time), ray, hit.t, uv);
+      return surface_sphere(sphere_at(row, ray.time), ray, hit.t, scene.hit_quality, uv);
     case PrimitiveKind::Ellipsoid:
       return surface_ellipsoid(ellipsoid_at(row, ray.time), ray, hit.t, uv);
     case PrimitiveKind::Cylinder:
-      return surface_cylinder(cylinder_at(row), ray, hit.t, uv);
+      return surface_cylinder(cylinder_at(row), ray, hit.t, scene.hit_quality, uv);
     case PrimitiveKind::EllipticCylinder:
       return surface_elliptic_cylinder(elliptic_cylinder_at(row), ray, hit.t, uv);
     case PrimitiveKind::Disc:

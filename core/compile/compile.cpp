@@ -66,6 +66,8 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.rows = g.rows.data();
   v.offset = g.offset.data();
   v.meshes = g.mesh_views.data();
+  v.hit_quality =
+      range_of(*g.reach, scene.camera) <= kPlainRange ? HitQuality::Plain : HitQuality::Refined;
   if (!g.tree.nodes.empty()) {
     v.nodes = g.tree.nodes.data();
     v.motion = g.tree.motion.empty() ? nullptr : g.tree.motion.data();

@@ -14,6 +14,8 @@ std::vector<Feature> feature_list(const SceneView<T>& view) {
   return {
       {"bvh", tree,
        tree ? "eight-wide tree over the objects" : "tiny scene: every primitive is tested"},
+      {"refined hits", view.hit_quality == HitQuality::Refined,
+       "closest approach of far rays to small round shapes"},
       {"motion", view.camera.moving, "rays carry a time"},
       {"lens", view.camera.lens_radius > T(0), "defocus blur"},
       {"lights", view.light_count > 0, "next-event estimation"},

@@ -17,6 +17,10 @@ namespace lightbench {
 /// the smallest feature: 2^-24 * 2^14 = 2^-10.
 inline constexpr double kFloatRange = 16384;
 
+/// Up to this range float decides hit or miss of a sphere wrongly less than once in a million rays
+/// without refining its closest approach (HitQuality).
+inline constexpr double kPlainRange = 64;
+
 struct SceneReach {
   RenderSpace space;
   double shutter_open = 0, shutter_close = 1;  ///< what moves was measured between these times

@@ -25,6 +25,10 @@ inline constexpr unsigned kPrimitiveKinds = 10;
 
 enum class BsdfKind : std::uint32_t { Black, Lambertian, Mirror, Fuzz, Ggx, Dielectric };
 
+/// Whether the closest approach of rays to round shapes is worth refining: it is where the scene's
+/// range is large (core/compile/scene_reach.h).
+enum class HitQuality { Plain, Refined };
+
 inline constexpr std::uint32_t kNoLight = 0xffffffffU;
 inline constexpr std::uint32_t kNoHit = 0xffffffffU;
 inline constexpr unsigned kMaterialStride = 16;
@@ -86,6 +90,7 @@ struct SceneView {
   const std::uint32_t* first_light = nullptr;  ///< light of the primitive (of a mesh's slot 0)
   const T* to_object = nullptr;  ///< 12 per primitive; null unless solid textures are used
   const MeshView<T>* meshes = nullptr;
+  HitQuality hit_quality = HitQuality::Refined;
 
   // Closest hits: a loop over all primitives, or the BVH when `nodes` is set.
   const BvhNode* nodes = nullptr;

@@ -32,6 +32,15 @@ inline Real dot(Vec a, Vec b) { return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x)); 
 inline Vec madd(Vec a, Real s, Vec b) {
   return {fma(a.x, s, b.x), fma(a.y, s, b.y), fma(a.z, s, b.z)};
 }
+/// The rounding error of a - b, exactly (Knuth's two-sum).
+inline Real difference_error(Real a, Real b, Real difference) {
+  const Real part = a - difference;
+  return (a - (difference + part)) + (part - b);
+}
+inline Vec difference_error(Vec a, Vec b, Vec difference) {
+  return {difference_error(a.x, b.x, difference.x), difference_error(a.y, b.y, difference.y),
+          difference_error(a.z, b.z, difference.z)};
+}
 /// Plain products on purpose: antisymmetric, cross(a, a) = 0 exactly.
 inline Vec cross(Vec a, Vec b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

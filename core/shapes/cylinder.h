@@ -26,10 +26,11 @@ struct CylinderInterval {
 
 /// Side and slab intervals clipped against each other: the winner of each max/min names the face,
 /// so the rims can neither leak nor count twice. The origin is first moved to the closest approach.
-inline CylinderInterval hit_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd) {
-  Vec f = o - c.middle;
-  const Real shift = -dot(f, d) * inverse_dd;
-  f = madd(d, shift, f);
+inline CylinderInterval hit_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd,
+                                     HitQuality quality) {
+  const ClosestApproach near_middle = closest_approach(o, c.middle, d, inverse_dd, quality);
+  const Vec f = near_middle.p;
+  const Real shift = near_middle.t;
   const Real dz = dot(d, c.axis), fz = dot(f, c.axis);
   const Vec dp = madd(c.axis, -dz, d), fp = madd(c.axis, -fz, f);
   const Real a = length_squared(dp);
@@ -56,15 +57,15 @@ inline CylinderInterval hit_cylinder(const Cylinder& c, Vec o, Vec d, Real inver
   return r;
 }
 
-inline Interval hit_cylinder(const Cylinder& c, const Ray& ray) {
-  return hit_cylinder(c, ray.o, ray.d, Real(1)).span;
+inline Interval hit_cylinder(const Cylinder& c, const Ray& ray, HitQuality quality) {
+  return hit_cylinder(c, ray.o, ray.d, Real(1), quality).span;
 }
 
 /// Surface in the cylinder's own frame, given the local point of the hit and whether it is on a
 /// cap. uv: u around the axis; v along the side, or the radius share on a cap.
 inline Surface surface_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd, Real t,
-                                Coordinates uv) {
-  const CylinderInterval i = hit_cylinder(c, o, d, inverse_dd);
+                                HitQuality quality, Coordinates uv) {
+  const CylinderInterval i = hit_cylinder(c, o, d, inverse_dd, quality);
   const Mask exit = at_exit(i.span, t);
   const Mask cap = select(exit, i.far_cap, i.near_cap);
   const Vec q = madd(d, t, o - c.middle);
@@ -86,8 +87,9 @@ inline Surface surface_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd
   return r;
 }
 
-inline Surface surface_cylinder(const Cylinder& c, const Ray& ray, Real t, Coordinates uv) {
-  return surface_cylinder(c, ray.o, ray.d, Real(1), t, uv);
+inline Surface surface_cylinder(const Cylinder& c, const Ray& ray, Real t, HitQuality quality,
+                                Coordinates uv) {
+  return surface_cylinder(c, ray.o, ray.d, Real(1), t, quality, uv);
 }
 
 /// A point uniform over side and caps with its normal, both relative to the cylinder's frame.
@@ -145,7 +147,8 @@ inline Cylinder canonical_cylinder() {
 
 inline Interval hit_elliptic_cylinder(const EllipticCylinder& e, const Ray& ray) {
   const Vec d = e.to_local.vector(ray.d);
-  return hit_cylinder(canonical_cylinder(), e.to_local.point(ray.o), d, Real(1) / length_squared(d))
+  return hit_cylinder(canonical_cylinder(), e.to_local.point(ray.o), d, Real(1) / length_squared(d),
+                      HitQuality::Refined)
       .span;
 }
 
@@ -153,7 +156,7 @@ inline Surface surface_elliptic_cylinder(const EllipticCylinder& e, const Ray& r
                                          Coordinates uv) {
   const Vec d = e.to_local.vector(ray.d);
   Surface r = surface_cylinder(canonical_cylinder(), e.to_local.point(ray.o), d,
-                               Real(1) / length_squared(d), t, uv);
+                               Real(1) / length_squared(d), t, HitQuality::Refined, uv);
   r.p = e.to_world.point(r.p);
   r.ng = normalize(e.to_local.transposed(r.ng));
   r.ns = r.ng;

@@ -49,6 +49,25 @@ struct LightSample {
   Mask valid;
 };
 
+/// The point of a ray closest to a centre: ray parameter, and position relative to the centre.
+struct ClosestApproach {
+  Real t;
+  Vec p;
+};
+
+/// `inverse_dd` = 1 / d.d. Refined, the position is good to the last bits of its own length however
+/// far away the ray starts: the rounding of o - center is put back, and a second step removes what
+/// the rounding of the first parameter left along the ray; what it left across is of second order.
+inline ClosestApproach closest_approach(Vec o, Vec center, Vec d, Real inverse_dd,
+                                        HitQuality quality) {
+  const Vec f = o - center;
+  const Real t = -dot(f, d) * inverse_dd;
+  if (quality == HitQuality::Plain) return {t, madd(d, t, f)};
+  const Vec p = madd(d, t, f) + difference_error(o, center, f);
+  const Real step = -dot(p, d) * inverse_dd;
+  return {t + step, madd(d, step, p)};
+}
+
 /// True where t is the exit of the interval rather than its entry.
 inline Mask at_exit(const Interval& i, Real t) { return abs(t - i.far) < abs(t - i.near); }
 

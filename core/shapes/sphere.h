@@ -19,18 +19,30 @@ inline Sphere sphere_at(const Row& row, Real time) {
   return {madd(row.vec(4), time, row.vec(0)), row[3], row.vec(7), row.vec(10)};
 }
 
-/// Ray from f (relative to the centre) along d with 1/d.d given. The discriminant comes from the
-/// closest approach, so that far and small spheres keep their outline (Haines et al., RTG ch. 7).
-inline Interval hit_sphere(Vec f, Vec d, Real inverse_dd, Real radius) {
-  const Real b = -dot(f, d) * inverse_dd;
-  const Vec l = madd(d, b, f);
-  const Real discriminant = radius * radius - length_squared(l);
+/// The discriminant comes from the closest approach, so that far and small spheres keep their
+/// outline (Haines et al., RTG ch. 7).
+struct SphereHit {
+  Interval span;
+  Vec closest;  ///< relative to the centre
+  Real half;    ///< half the length of the chord, as a ray parameter
+};
+
+/// `inverse_dd` = 1 / d.d
+inline SphereHit hit_sphere(Vec o, Vec center, Vec d, Real inverse_dd, Real radius,
+                            HitQuality quality) {
+  const ClosestApproach a = closest_approach(o, center, d, inverse_dd, quality);
+  const Real discriminant = radius * radius - length_squared(a.p);
   const Real h = safe_sqrt(discriminant * inverse_dd);
-  return {b - h, b + h, discriminant > Real(0)};
+  return {{a.t - h, a.t + h, discriminant > Real(0)}, a.p, h};
 }
 
-inline Interval hit_sphere(const Sphere& s, const Ray& ray) {
-  return hit_sphere(ray.o - s.center, ray.d, Real(1), s.radius);
+/// Unit normal at the hit at parameter t.
+inline Vec normal_at(const SphereHit& hit, Vec d, Real t) {
+  return normalize(madd(d, select(at_exit(hit.span, t), hit.half, -hit.half), hit.closest));
+}
+
+inline SphereHit hit_sphere(const Sphere& s, const Ray& ray, HitQuality quality) {
+  return hit_sphere(ray.o, s.center, ray.d, Real(1), s.radius, quality);
 }
 
 /// uv of the books: u around the pole from -x, v = 0 at the south pole; n in object space.
@@ -47,9 +59,10 @@ inline Vec sphere_tangent(Vec n) {
   return {select(pole, Real(1), n.z * inverse), Real(0), select(pole, Real(0), -n.x * inverse)};
 }
 
-inline Surface surface_sphere(const Sphere& s, const Ray& ray, Real t, Coordinates uv) {
+inline Surface surface_sphere(const Sphere& s, const Ray& ray, Real t, HitQuality quality,
+                              Coordinates uv) {
   Surface r;
-  r.ng = normalize(madd(ray.d, t, ray.o - s.center));
+  r.ng = normal_at(hit_sphere(s, ray, quality), ray.d, t);
   r.ns = r.ng;
   r.p = madd(r.ng, s.radius, s.center);
   if (uv == Coordinates::None) return r;
@@ -126,14 +139,15 @@ inline Ellipsoid ellipsoid_at(const Row& row, Real time) {
   return {affine_at(row, 0), affine_at(row, 12), row.vec(24) * time, row[27]};
 }
 
-inline Interval hit_ellipsoid(const Ellipsoid& e, const Ray& ray) {
+inline SphereHit hit_ellipsoid(const Ellipsoid& e, const Ray& ray) {
   const Vec d = e.to_local.vector(ray.d);
-  return hit_sphere(e.to_local.point(ray.o - e.shift), d, Real(1) / length_squared(d), Real(1));
+  return hit_sphere(e.to_local.point(ray.o - e.shift), Vec(Real(0)), d, Real(1) / length_squared(d),
+                    Real(1), HitQuality::Refined);
 }
 
 inline Surface surface_ellipsoid(const Ellipsoid& e, const Ray& ray, Real t, Coordinates uv) {
   Surface r;
-  const Vec n = normalize(madd(e.to_local.vector(ray.d), t, e.to_local.point(ray.o - e.shift)));
+  const Vec n = normal_at(hit_ellipsoid(e, ray), e.to_local.vector(ray.d), t);
   r.p = e.to_world.point(n) + e.shift;
   r.ng = normalize(e.to_local.transposed(n));
   r.ns = r.ng;

@@ -271,6 +271,10 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          s.materials[0].emissive = glm::dvec3(1);
          s.materials[0].emissive_texture = 0;
        }},
+      {"refined hits",
+       [](S s) {
+         s.camera.look_from = {0, 0, 1e3};
+       }},
       {"uv", textured(TextureKind::Image)},
       {"solid textures", textured(TextureKind::Marble)},
       {"mirror", metal(0, 0)},

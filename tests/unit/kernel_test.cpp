@@ -42,16 +42,19 @@ Film film_of(const RenderScene& scene, std::uint32_t samples, Counters* counters
   return film;
 }
 
-TEST(Kernel, FloatKernelsAgreeToTheLastBit) {
+/// The kernels of one precision against its plain one.
+void expect_same_bits(KernelKind plain) {
   int compared = 0;
   for (const auto& [name, scene] : small_scenes()) {
     Counters scalar_count;
-    const std::uint64_t scalar =
-        film_of(*compile(scene, KernelKind::Scalar), 3, &scalar_count).hash();
+    const std::uint64_t scalar = film_of(*compile(scene, plain), 3, &scalar_count).hash();
     EXPECT_EQ(scalar_count.paths, 32U * 24 * 3) << name;
     EXPECT_EQ(scalar_count.non_finite, 0U) << name;
-    for (const KernelKind kernel : {KernelKind::Avx2, KernelKind::Avx512}) {
-      if (!kernel_supported(kernel)) continue;
+    for (const KernelKind kernel : kKernels) {
+      if (!kernel_supported(kernel) || kernel == plain ||
+          precision_of(kernel) != precision_of(plain)) {
+        continue;
+      }
       Counters count;
       EXPECT_EQ(film_of(*compile(scene, kernel), 3, &count).hash(), scalar)
           << name << " in " << kernel_name(kernel);
@@ -60,8 +63,12 @@ TEST(Kernel, FloatKernelsAgreeToTheLastBit) {
       ++compared;
     }
   }
-  if (compared == 0) GTEST_SKIP() << "this processor runs one float kernel only";
+  if (compared == 0) GTEST_SKIP() << "this processor runs the plain kernels only";
 }
+
+TEST(Kernel, FloatKernelsAgreeToTheLastBit) { expect_same_bits(KernelKind::Scalar); }
+
+TEST(Kernel, DoubleKernelsAgreeToTheLastBit) { expect_same_bits(KernelKind::Reference); }
 
 // Same samples, so the difference is rounding: most pixels agree to a few parts in ten thousand. A
 // path whose choice hangs on rounding (an edge, a Fresnel or roulette number, a free flight) goes
@@ -141,13 +148,15 @@ TEST(Kernel, NamesAndSupportAreConsistent) {
   EXPECT_TRUE(kernel_supported(KernelKind::Auto));
   EXPECT_TRUE(kernel_supported(KernelKind::Scalar));
   EXPECT_TRUE(kernel_supported(KernelKind::Reference));
-  EXPECT_TRUE(kernel_supported(best_kernel()));
-  EXPECT_NE(best_kernel(), KernelKind::Auto);
-  EXPECT_NE(best_kernel(), KernelKind::Reference);
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    EXPECT_TRUE(kernel_supported(best_kernel(precision)));
+    EXPECT_EQ(precision_of(best_kernel(precision)), precision);
+  }
   Scene scene;
   scene.render.width = scene.render.height = 2;
-  EXPECT_EQ(compile(scene, KernelKind::Auto)->kernel, best_kernel());
+  EXPECT_EQ(compile(scene, KernelKind::Auto)->kernel, best_kernel(Precision::Float));
   EXPECT_STREQ(kernel_name(KernelKind::Avx2), "avx2");
+  EXPECT_STREQ(kernel_name(KernelKind::Avx2Double), "avx2-double");
 }
 
 }  // namespace

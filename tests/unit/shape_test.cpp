@@ -107,7 +107,9 @@ std::vector<Ray> rays_at(const Subject& s) {
 }
 
 /// What the kernels may be off by, relative to the size of things: rounding, no more.
-double tolerance_of(KernelKind kernel) { return kernel == KernelKind::Reference ? 2e-13 : 3e-6; }
+double tolerance_of(KernelKind kernel) {
+  return precision_of(kernel) == Precision::Double ? 2e-13 : 3e-6;
+}
 
 double world_rounding(const Subject& s, const Ray& ray) {
   return 2e-15 * (glm::length(s.box.center()) + glm::length(ray.origin));
@@ -140,8 +142,7 @@ std::string disagreement(const Subject& s, const Ray& ray, const std::optional<H
 }
 
 void for_each_kernel(const std::function<void(KernelKind)>& f) {
-  for (const KernelKind kernel :
-       {KernelKind::Reference, KernelKind::Scalar, KernelKind::Avx2, KernelKind::Avx512}) {
+  for (const KernelKind kernel : kKernels) {
     if (kernel_supported(kernel)) f(kernel);
   }
 }
@@ -300,7 +301,7 @@ TEST(Shape, FarAndTinySpheresKeepTheirOutline) {
   // Where the textbook quadratic in the kernel's own precision is noise: distance over radius 1e4
   // in float and 1e8 in double. Rays aimed at 0.99 and 1.01 of the radius tell.
   for_each_kernel([](KernelKind kernel) {
-    const double distance = kernel == KernelKind::Reference ? 1e8 : 1e4;
+    const double distance = precision_of(kernel) == Precision::Double ? 1e8 : 1e4;
     const auto scene = compile(scene_of(SphereShape{}, {}), kernel);
     for (int k = 0; k < 200; ++k) {
       const double phi = 0.0314 * k;

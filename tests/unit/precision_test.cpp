@@ -1,0 +1,125 @@
+// Which precision compile() chooses, and that it is enough where it is chosen.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "core/compile/render_scene.h"
+#include "core/compile/scene_reach.h"
+#include "core/scene/scene_io.h"
+
+namespace lightbench {
+namespace {
+
+using glm::dvec3;
+
+Scene spheres(std::initializer_list<SphereShape> shapes) {
+  Scene scene;
+  scene.render.width = scene.render.height = 4;
+  scene.camera.look_from = {0, 0, 5};
+  scene.materials.emplace_back();
+  for (const SphereShape& s : shapes) {
+    Object object;
+    object.name = "r" + std::to_string(s.radius);
+    object.shape = s;
+    object.material = 0;
+    scene.objects.push_back(object);
+  }
+  return scene;
+}
+
+TEST(Precision, RangeIsTheFarthestOverTheSmallest) {
+  const Scene scene = spheres({{.radius = 2}, {.center = {30, 0, 0}, .radius = 0.5}});
+  const SceneReach reach = measure_reach(scene);
+  // The median of the two centres is the second: the first reaches 32 from there.
+  EXPECT_DOUBLE_EQ(range_of(reach, scene.camera), 32 / 0.5);
+  EXPECT_EQ(reach.smallest_object, "r0.500000");
+  Camera far = scene.camera;
+  far.look_from = {30, 0, 1000};
+  EXPECT_DOUBLE_EQ(range_of(reach, far), 1000 / 0.5);
+  EXPECT_EQ(range_of(measure_reach(spheres({})), far), 1);
+}
+
+TEST(Precision, EveryShapeHasASmallestFeature) {
+  const auto smallest = [](const Shape& shape, const dvec3& scale) {
+    Scene scene = spheres({{}});
+    scene.objects[0].shape = shape;
+    scene.objects[0].transform.scale = scale;
+    return measure_reach(scene).smallest;
+  };
+  const dvec3 one(1);
+  EXPECT_DOUBLE_EQ(smallest(CylinderShape{.p0 = {0, 0, 0}, .p1 = {0, 3, 0}, .radius = 4}, one), 3);
+  EXPECT_DOUBLE_EQ(smallest(CylinderShape{.p0 = {0, 0, 0}, .p1 = {0, 9, 0}, .radius = 4}, one), 4);
+  EXPECT_DOUBLE_EQ(smallest(DiscShape{.radius = 0.25}, one), 0.25);
+  EXPECT_DOUBLE_EQ(smallest(RectangleShape{.edge_u = {3, 4, 0}, .edge_v = {3, 0, 0}}, one),
+                   12 / 5.0);
+  EXPECT_DOUBLE_EQ(smallest(TriangleShape{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {1, 0.5, 0}}, one),
+                   0.5);
+  EXPECT_DOUBLE_EQ(smallest(BoxShape{.min = {0, 0, 0}, .max = {1, 0.125, 2}}, one), 0.125);
+  EXPECT_NEAR(
+      smallest(PyramidShape{.vertices = {dvec3{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0.01, 0}}}, one),
+      0.01, 1e-5);
+  EXPECT_DOUBLE_EQ(smallest(SphereShape{.radius = 2}, {4, -0.5, 3}), 1);
+}
+
+TEST(Precision, AutoChoosesItByTheRange) {
+  const Scene fine = spheres({{.radius = 1}});
+  EXPECT_EQ(compile(fine, KernelKind::Auto)->kernel, best_kernel(Precision::Float));
+  const Scene vast = spheres({{.radius = 1}, {.center = {0, 0, -5e5}, .radius = 1e5}});
+  const auto scene = compile(vast, KernelKind::Auto);
+  EXPECT_EQ(scene->kernel, best_kernel(Precision::Double));
+  EXPECT_EQ(scene->stats.kernel, scene->kernel);
+  EXPECT_GT(scene->stats.range, kFloatRange);
+  EXPECT_EQ(scene->stats.smallest_object, "r1.000000");
+}
+
+TEST(Precision, ACameraThatFliesOffTakesTheSceneWithIt) {
+  Scene scene = spheres({{.radius = 1}});
+  const auto near = compile(scene, KernelKind::Auto);
+  scene.camera.look_from = {0, 0, 1e6};
+  const auto far = compile(scene, KernelKind::Auto, near.get(), Change::Camera);
+  EXPECT_EQ(far->kernel, best_kernel(Precision::Double));
+  scene.camera.look_from = {0, 0, 5};
+  const auto back = compile(scene, KernelKind::Auto, far.get(), Change::Camera);
+  EXPECT_EQ(back->kernel, best_kernel(Precision::Float));
+}
+
+// Float at the largest range it is chosen for, against the exact answer for the very ray it traces.
+TEST(Precision, FloatFindsTheOutlineOfASphereAtItsLargestRange) {
+  Scene scene = spheres({{.radius = 1}});
+  scene.camera.look_from = {0, 0, 0.99 * kFloatRange};
+  const auto compiled = compile(scene, KernelKind::Auto);
+  ASSERT_EQ(compiled->kernel, best_kernel(Precision::Float));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int wrong = 0, hits = 0;
+  constexpr int kRays = 100000;
+  for (int k = 0; k < kRays; ++k) {
+    const dvec3 toward = glm::normalize(dvec3(uniform(random), uniform(random), uniform(random)));
+    const dvec3 side = glm::normalize(glm::cross(toward, dvec3(0.3, 0.5, 0.8)));
+    // Float numbers, so that the kernel's ray is this ray; near the outline, where it matters.
+    const dvec3 origin =
+        glm::vec3(-scene.camera.look_from.z * toward + (1 + 0.01 * uniform(random)) * side);
+    Ray ray;
+    ray.origin = origin;
+    ray.direction = toward;
+    const dvec3 d = glm::vec3(glm::normalize(toward));
+    const long double dd = glm::dot(d, d);
+    long double b = 0, off = 0;
+    for (int i = 0; i < 3; ++i) b -= static_cast<long double>(origin[i]) * d[i] / dd;
+    for (int i = 0; i < 3; ++i) {
+      const long double l = origin[i] + b * d[i];
+      off += l * l;
+    }
+    const bool hit = trace(*compiled, ray).has_value();
+    wrong += hit != (off < 1) ? 1 : 0;
+    hits += hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, kRays / 4);
+  EXPECT_LE(wrong, 2) << "of " << kRays << " within 1 % of the outline";
+}
+
+}  // namespace
+}  // namespace lightbench
