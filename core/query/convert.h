@@ -61,7 +61,8 @@ double shutter_share(const GeometryPart<T>& geometry, double time) {
 }
 template <class T>
 double shutter_time(const GeometryPart<T>& geometry, double share) {
-  return geometry.reach->shutter_open + share * (geometry.reach->shutter_close - geometry.reach->shutter_open);
+  return geometry.reach->shutter_open +
+         share * (geometry.reach->shutter_close - geometry.reach->shutter_open);
 }
 
 /// Slot of a mesh's triangle, or triangle of its slot; the object need not be a mesh.

@@ -8,6 +8,7 @@
 
 #include "core/compile/render_scene.h"
 #include "core/compile/scene_reach.h"
+#include "core/query/rays.h"
 #include "core/scene/scene_io.h"
 
 namespace lightbench {
