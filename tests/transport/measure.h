@@ -19,8 +19,18 @@ struct KernelUnderTest {
   [[nodiscard]] int spp(int full) const { return full > spp_divisor ? full / spp_divisor : 1; }
   [[nodiscard]] Family family() const { return {precision, rounding}; }
 };
-inline constexpr KernelUnderTest kFastKernel{KernelKind::Auto, 1, 1e-3, 5e-6};
-inline constexpr KernelUnderTest kReferenceKernel{KernelKind::Reference, 8, 4e-3, 1e-7};
+#ifdef __SANITIZE_ADDRESS__
+// Watched for its use of memory, a kernel is some fifty times slower and a few samples take every
+// path through it: comparisons only find what is grossly wrong.
+inline constexpr int kThinning = 32;
+inline constexpr double kCoarsening = 25;
+#else
+inline constexpr int kThinning = 1;
+inline constexpr double kCoarsening = 1;
+#endif
+inline constexpr KernelUnderTest kFastKernel{KernelKind::Auto, kThinning, 1e-3 * kCoarsening, 5e-6};
+inline constexpr KernelUnderTest kReferenceKernel{KernelKind::Reference, 8 * kThinning,
+                                                  4e-3 * kCoarsening, 1e-7};
 std::ostream& operator<<(std::ostream& out, const KernelUnderTest& kernel);
 
 /// The whole picture with `spp` samples in every pixel, from sample number `first`.
