@@ -336,9 +336,12 @@ inline Ray broadcast_ray(const SingleRay& s) {
           Mask(s.skip_back)};
 }
 
-/// Finds the nearest hits before hit.t; with kShadow any hit will do.
+/// Finds the nearest hits before hit.t; with kShadow any hit will do. Never inlined: within the
+/// step of the path tracer it would take the inliner's budget from what is called there once per
+/// path.
 template <bool kShadow>
-void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+[[gnu::noinline]] void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active,
+                                 NearestHit& hit) {
   if (scene.nodes == nullptr) {
     test_all<kShadow>(scene, ray, active, hit);
     return;
@@ -388,9 +391,11 @@ void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHi
   hit = {load(t), load(primitive), load(slot), load(b1), load(b2)};
 }
 
-/// Surface of the hits on primitive i; meaningful in the active lanes, all of which hit it.
-inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i, const Ray& ray,
-                          const NearestHit& hit, Mask active, Coordinates uv) {
+/// Surface of the hits on primitive i; meaningful in the active lanes, all of which hit it. Never
+/// inlined, like find_hits().
+[[gnu::noinline]] inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i,
+                                            const Ray& ray, const NearestHit& hit, Mask active,
+                                            Coordinates uv) {
   const Row row{scene.rows + scene.row[i]};
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:

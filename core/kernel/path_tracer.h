@@ -95,9 +95,11 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
   return emission;
 }
 
-/// One light sample from each vertex of `active`, added to the paths' radiance.
-inline void add_direct_light(const SceneView<T>& scene, const Vertex& v, const Frame& frame,
-                             Int dimension_base, Mask active, Paths& paths, Counters& counters) {
+/// One light sample from each vertex of `active`, added to the paths' radiance. Never inlined, like
+/// find_hits().
+[[gnu::noinline]] inline void add_direct_light(const SceneView<T>& scene, const Vertex& v,
+                                               const Frame& frame, Int dimension_base, Mask active,
+                                               Paths& paths, Counters& counters) {
   const LightChoice chosen =
       choose_light(scene, paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x);
   const LightPlace place = place_of(scene, chosen.light);
