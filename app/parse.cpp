@@ -92,6 +92,17 @@ Crop parse_crop(const std::string& flag, const std::string& text) {
   return {values[0], values[1], values[2], values[3]};
 }
 
+SampleName parse_sample(const std::string& flag, const std::string& text) {
+  static constexpr std::string_view kExpected =
+      "x,y,k: a pixel from the top left and a sample index, from 0";
+  const auto parts = split(text, ',');
+  if (parts.size() != 3) reject(flag, text, kExpected);
+  const auto x = number<int>(parts[0]), y = number<int>(parts[1]);
+  const auto sample = number<std::uint32_t>(parts[2]);
+  if (!x || !y || !sample || *x < 0 || *y < 0) reject(flag, text, kExpected);
+  return {*x, *y, *sample};
+}
+
 std::vector<int> parse_counts(const std::string& flag, const std::string& text) {
   if (text == "0") return {};
   std::vector<int> counts;

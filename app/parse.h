@@ -25,6 +25,9 @@ double parse_duration(const std::string& flag, const std::string& text);
 /// `x,y,width,height` in pixels.
 Crop parse_crop(const std::string& flag, const std::string& text);
 
+/// `x,y,k`: pixel and sample index.
+SampleName parse_sample(const std::string& flag, const std::string& text);
+
 /// `10,200,1000`: ascending without repeats. A lone 0 means no limit and gives an empty list.
 std::vector<int> parse_counts(const std::string& flag, const std::string& text);
 

@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/output_names.h"
 #include "app/parse.h"
+#include "app/path_text.h"
 #include "app/progress.h"
 #include "app/render_report.h"
 #include "app/scene_options.h"
@@ -20,6 +21,8 @@
 #include "core/error.h"
 #include "core/film/image_file.h"
 #include "core/format.h"
+#include "core/query/path.h"
+#include "core/query/replay.h"
 #include "core/scene/file.h"
 #include "core/session/session.h"
 
@@ -33,6 +36,7 @@ struct RenderOptions {
   std::string time_limit;
   std::string stats_json;
   std::string progress;
+  std::string debug_sample;
 };
 
 std::string local_time() {
@@ -151,6 +155,16 @@ void run(Session& session, Saver& saver, ProgressMode mode) {
   }
 }
 
+/// Prints the path of one sample instead of rendering.
+int print_sample(const RenderOptions& options) {
+  const SampleName name = parse_sample("--debug-sample", options.debug_sample);
+  const KernelKind kernel = chosen_kernel(options.scene);
+  const Scene scene = load_scene(options.scene);
+  const auto compiled = compile(scene, kernel);
+  fmt::print("{}", path_text(scene, *compiled, name, trace_path(*compiled, name)));
+  return 0;
+}
+
 int render_scene(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const ProgressMode mode = parse_progress(options.progress);
@@ -188,6 +202,8 @@ int render_scene(const RenderOptions& options) {
                       : scene.render.spp > 0 && reached ? "target"
                                                         : "time limit";
   report.pictures = saver.pictures();
+  report.replay = replay_command(options.scene.file, scene.render, report.kernel,
+                                 report.status.counters.bad, options.scene.definitions);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   report.wall_seconds = wall.count();
   fmt::print("{}", summary(report));
@@ -224,9 +240,15 @@ void add_render(CLI::App& app, Action& action) {
       .add_option("--progress", options->progress,
                   "bar, plain or none (default: bar on a terminal, else plain)")
       ->type_name("MODE");
+  command
+      .add_option("--debug-sample", options->debug_sample,
+                  "Print the path of one sample instead: pixel x, y from the top left, sample k")
+      ->type_name("X,Y,K");
   command.callback([options, &action] {
     if (options->outputs.empty()) options->outputs = {"{scene}-{spp}.png"};
-    action = [options] { return render_scene(*options); };
+    action = [options] {
+      return options->debug_sample.empty() ? render_scene(*options) : print_sample(*options);
+    };
   });
 }
 

@@ -26,13 +26,18 @@ std::string summary(const RenderReport& report) {
       format_count(status.rays_per_second, "rays/s"), 1000 * status.scene.compile_seconds,
       format_bytes(static_cast<std::uint64_t>(peak_memory_bytes())));
   const Counters& counters = status.counters;
-  if (counters.non_finite == 0) {
-    text += "no non-finite samples\n";
-  } else {
-    text += fmt::format("{} non-finite samples dropped, the first at pixel {},{} sample {}\n",
-                        counters.non_finite, counters.bad_x, counters.bad_y, counters.bad_sample);
+  if (counters.non_finite == 0) return text + "no non-finite samples\n";
+  std::string causes;
+  for (int k = 0; k < kFaults; ++k) {
+    if (counters.faults[k] == 0) continue;
+    causes += fmt::format("{}{} {}", causes.empty() ? "" : ", ", counters.faults[k],
+                          fault_name(static_cast<Fault>(k)));
   }
-  return text;
+  return text + fmt::format(
+                    "{} samples dropped ({}), the first ({}) at pixel {},{} sample {}; to see it:\n"
+                    "{}\n",
+                    counters.non_finite, causes, fault_name(counters.bad_fault), counters.bad.x,
+                    counters.bad.y, counters.bad.sample, report.replay);
 }
 
 std::string stats_json(const RenderReport& report, const Scene& scene) {
@@ -63,8 +68,15 @@ std::string stats_json(const RenderReport& report, const Scene& scene) {
       {"sceneBytes", status.scene.bytes},
   };
   if (counters.non_finite > 0) {
-    json["firstNonFinite"] = {{"pixel", {counters.bad_x, counters.bad_y}},
-                              {"sample", counters.bad_sample}};
+    const auto count = [&](Fault fault) { return counters.faults[static_cast<int>(fault)]; };
+    json["nonFiniteCauses"] = {{"nan", count(Fault::NotANumber)},
+                               {"infinite", count(Fault::Infinite)},
+                               {"negative", count(Fault::Negative)},
+                               {"beyondFilm", count(Fault::BeyondFilm)}};
+    json["firstNonFinite"] = {{"pixel", {counters.bad.x, counters.bad.y}},
+                              {"sample", counters.bad.sample},
+                              {"cause", fault_name(counters.bad_fault)},
+                              {"replay", report.replay}};
   }
   if (render.crop.width > 0) {
     json["crop"] = {render.crop.x, render.crop.y, render.crop.width, render.crop.height};

@@ -23,6 +23,7 @@ struct RenderReport {
   std::string stopped_by;   ///< target, time limit, SIGINT or SIGTERM
   double wall_seconds = 0;  ///< from reading the scene to the last file
   SessionStatus status;
+  std::string replay;  ///< command that prints the path of the first dropped sample
   std::vector<SavedPicture> pictures;
 };
 

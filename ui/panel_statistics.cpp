@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "core/format.h"
+#include "core/query/replay.h"
 #include "ui/fields.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
@@ -12,11 +13,27 @@ std::string target_of(const SessionStatus& status) {
   return status.target_spp == 0 ? "no limit" : format_integer(status.target_spp) + " spp";
 }
 
-void draw_dropped(const Counters& counters) {
+/// Samples that the film could not take, by cause, and the way to see the first of them.
+void draw_dropped(const Workbench& bench) {
+  const Counters& counters = bench.status.counters;
   value_row("Non-finite", format_integer(static_cast<std::int64_t>(counters.non_finite)));
   if (counters.non_finite == 0) return;
-  ImGui::TextColored(kPalette.error, "dropped; first at pixel %d, %d sample %u", counters.bad_x,
-                     counters.bad_y, counters.bad_sample);
+  for (int k = 0; k < kFaults; ++k) {
+    if (counters.faults[k] == 0) continue;
+    ImGui::TextColored(kPalette.error, "%s dropped: %s",
+                       format_integer(static_cast<std::int64_t>(counters.faults[k])).c_str(),
+                       fault_name(static_cast<Fault>(k)));
+  }
+  ImGui::TextColored(kPalette.error, "first at pixel %d, %d sample %u: %s", counters.bad.x,
+                     counters.bad.y, counters.bad.sample, fault_name(counters.bad_fault));
+  ImGui::BeginDisabled(bench.editor.file().empty());
+  if (ImGui::Button("Copy replay command")) {
+    ImGui::SetClipboardText(replay_command(bench.editor.file().string(), bench.editor.scene.render,
+                                           kernel_name(bench.status.scene.kernel), counters.bad)
+                                .c_str());
+  }
+  ImGui::EndDisabled();
+  tip_for_last("A command line that prints the path of that sample, of the scene as saved");
 }
 
 /// Median and slow end.
@@ -44,7 +61,7 @@ void draw_statistics_panel(Workbench& bench) {
       value_row("Paths", format_count(status.samples_per_second, "/s"));
       value_row("Rays", format_count(status.rays_per_second, "/s"));
       value_row("Threads", std::to_string(status.threads));
-      draw_dropped(status.counters);
+      draw_dropped(bench);
     }
     if (section("Scene")) {
       value_row("Objects", format_integer(status.scene.objects));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/film/counters.h"
 #include "core/film/film.h"
 #include "core/scene/change.h"
 #include "core/scene/scene.h"
@@ -34,17 +35,6 @@ struct Work {
   std::uint32_t first_sample = 0;
   std::uint32_t sample_count = 1;
   int stride = 1;
-};
-
-/// What tracing counted; add up over threads.
-struct Counters {
-  std::uint64_t paths = 0;
-  std::uint64_t rays = 0;  ///< path segments
-  std::uint64_t shadow_rays = 0;
-  std::uint64_t non_finite = 0;  ///< samples dropped: NaN, infinite, or beyond the film's range
-  int bad_x = -1, bad_y = -1;    ///< picture pixel and sample index of the first one, to replay it
-  std::uint32_t bad_sample = 0;
-  Counters& operator+=(const Counters& other);
 };
 
 /// One line of `lightbench info`: a feature the kernel has and whether this scene uses it.

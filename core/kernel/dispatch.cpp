@@ -59,19 +59,6 @@ KernelKind best_kernel(Precision precision) {
   });
 }
 
-Counters& Counters::operator+=(const Counters& other) {
-  if (non_finite == 0 && other.non_finite > 0) {
-    bad_x = other.bad_x;
-    bad_y = other.bad_y;
-    bad_sample = other.bad_sample;
-  }
-  paths += other.paths;
-  rays += other.rays;
-  shadow_rays += other.shadow_rays;
-  non_finite += other.non_finite;
-  return *this;
-}
-
 void render(const RenderScene& scene, const Work& work, FilmView film, Counters& counters) {
   with_kernel(scene, [&](const auto& kernel, const auto& parts) {
     kernel.render(parts.view, work, film, counters);

@@ -3,6 +3,7 @@
 // heuristic). One path per lane, advanced one vertex at a time; a lane whose path ends takes the
 // next (pixel, sample) at once, so lanes never idle while work is left.
 
+#include "core/kernel/path_end.h"
 #include "core/kernel/path_starts.h"
 #include "core/kernel/paths.h"
 #include "core/kernel/splat.h"
@@ -12,6 +13,12 @@
 #include "core/media/medium.h"
 
 LIGHTBENCH_KERNEL_BEGIN
+
+/// What step() reports to is a template parameter; this one takes no reports and costs nothing.
+/// core/query/path_watch.h has the one that writes a path down.
+struct Unwatched {
+  static constexpr bool kOn = false;
+};
 
 /// Where the paths scatter next: a surface point or a point in a medium.
 struct Vertex {
@@ -97,9 +104,10 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
 
 /// One light sample from each vertex of `active`, added to the paths' radiance. Never inlined, like
 /// find_hits().
+template <class Watch>
 [[gnu::noinline]] inline void add_direct_light(const SceneView<T>& scene, const Vertex& v,
                                                const Frame& frame, Int dimension_base, Mask active,
-                                               Paths& paths, Counters& counters) {
+                                               Paths& paths, Counters& counters, Watch& watch) {
   const LightChoice chosen =
       choose_light(scene, paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x);
   const LightPlace place = place_of(scene, chosen.light);
@@ -123,6 +131,7 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
   const Real pdf = s.pdf * chosen.pmf;
   const Real weight = power_heuristic(pdf, value.pdf) / pdf;
   Vec light = paths.throughput * value.f * emission * weight;
+  if constexpr (Watch::kOn) watch.light_sampled(chosen, s, value, emission, weight * pdf);
   const Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
   shadow.from = select(v.in_medium, Int(kNoHit), shadow.from);
@@ -139,6 +148,7 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
   const Mask visible = wanted && blocker.primitive == Int(kNoHit);
   if (scene.medium_count > 0 && any(visible))
     light = light * transmittance(scene, shadow, s.distance, visible);
+  if constexpr (Watch::kOn) watch.light_arrived(blocker.primitive, visible, light);
   paths.radiance = select(visible, paths.radiance + light, paths.radiance);
 }
 
@@ -157,8 +167,9 @@ inline KnownLight light_of(const SceneView<T>& scene, const NearestHit& hit, Mas
 }
 
 /// Emission met by the paths' own rays, weighted against light sampling.
+template <class Watch>
 inline void add_emission(const SceneView<T>& scene, const Vertex& v, const NearestHit& hit,
-                         Paths& paths) {
+                         Paths& paths, Watch& watch) {
   const Mask bright = v.on_surface && (v.front || v.material.two_sided) &&
                       max_component(v.material.emission) > Real(0);
   if (none(bright)) return;
@@ -171,12 +182,14 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
                                paths.ray.d, hit.t, v.surface.ng, known);
     weight = select(known, power_heuristic(paths.pdf, pdf), weight);
   }
+  if constexpr (Watch::kOn) watch.emitted(bright, v.material.emission, weight);
   paths.radiance = select(
       bright, madd(paths.throughput * v.material.emission, weight, paths.radiance), paths.radiance);
 }
 
 /// Advances every live path by one vertex.
-inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
+template <class Watch>
+inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Watch& watch) {
   const Mask alive = paths.alive;
   counters.rays += static_cast<std::uint64_t>(__builtin_popcount(bits(alive)));
   NearestHit hit = no_hit(Real(kInfinity));
@@ -197,9 +210,11 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
   const Mask escaped = alive && !hit_something && !v.in_medium;
   if (scene.has_environment && any(escaped)) {
     const Vec sky = environment_radiance(scene, paths.ray.d, escaped);
+    if constexpr (Watch::kOn) watch.emitted(escaped, sky, Real(1));
     paths.radiance = select(escaped, paths.radiance + paths.throughput * sky, paths.radiance);
   }
   Mask going = v.on_surface || v.in_medium;
+  if constexpr (Watch::kOn) watch.going(going, PathEnd::Escaped);
   if (none(going)) {
     paths.alive = false;
     return;
@@ -212,7 +227,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
   v.n = select(v.front, v.surface.ns, -v.surface.ns);
   // An interpolated normal that looks away from the viewer cannot shade; the geometric one can.
   v.n = select(dot(v.n, v.wo) > Real(0), v.n, v.ng);
-  if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, hit, paths);
+  if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, hit, paths, watch);
 
   v.reflect_from = leave_surface(v.surface.p, v.ng, v.offset);
   if (scene.medium_count > 0) {
@@ -221,15 +236,18 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
     v.material.base_color = select(v.in_medium, medium.albedo, v.material.base_color);
     v.n = select(v.in_medium, v.wo, v.n);
   }
-  going = going && paths.segments < Int(static_cast<std::uint32_t>(scene.max_depth)) &&
-          (v.in_medium || !is_kind(v.material, BsdfKind::Black));
+  if constexpr (Watch::kOn) watch.vertex(v, hit, medium);
+  going = going && paths.segments < Int(static_cast<std::uint32_t>(scene.max_depth));
+  if constexpr (Watch::kOn) watch.going(going, PathEnd::Depth);
+  going = going && (v.in_medium || !is_kind(v.material, BsdfKind::Black));
+  if constexpr (Watch::kOn) watch.going(going, PathEnd::Black);
   const Frame frame(v.n);
   // From here on the ray remembers the surface it leaves.
   paths.ray.from = select(v.in_medium, Int(kNoHit), hit.primitive);
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
   if (scene.light_count > 0 && any(lit))
-    add_direct_light(scene, v, frame, dimension_base, lit, paths, counters);
+    add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
   const Mask wants_lobe =
@@ -249,6 +267,10 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
     next.delta = next.delta && !m;
   }
   going = going && next.valid;
+  if constexpr (Watch::kOn) {
+    watch.scattered(next);
+    watch.going(going, PathEnd::Absorbed);
+  }
   paths.throughput = paths.throughput * next.weight;
   paths.pdf = select(next.delta, Real(0), next.pdf);
   if (scene.has_dielectric) {
@@ -265,10 +287,15 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters) {
         min(max_component(paths.throughput) * paths.roulette_scale, Real(T(0.95)));
     const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
     going = going && (!roulette || dice < survival);
+    if constexpr (Watch::kOn) {
+      watch.roulette(roulette, survival);
+      watch.going(going, PathEnd::Roulette);
+    }
     paths.throughput =
         select(roulette && going, paths.throughput * (Real(1) / survival), paths.throughput);
   }
   going = going && max_component(paths.throughput) > Real(0);
+  if constexpr (Watch::kOn) watch.going(going, PathEnd::NoThroughput);
   const Vec through = leave_surface(v.surface.p, v.ng, -v.offset);
   paths.ray.o = select(same_side || v.in_medium, v.reflect_from, through);
   paths.ray.d = next.wi;
@@ -282,9 +309,10 @@ inline void render_work(const SceneView<T>& scene, const Work& work, FilmView fi
   Paths paths{};
   paths.ray.skip = paths.ray.skip_slot = Int(kNoHit);
   paths.ray.skip_back = paths.alive = Mask(false);
+  Unwatched unwatched;
   Mask used = starts.fill(Mask(true), paths);
   while (any(used)) {
-    step(scene, paths, counters);
+    step(scene, paths, counters, unwatched);
     const Mask done = used && !paths.alive;
     if (none(done)) continue;
     splat(scene, paths, done, work, film, counters);

@@ -7,8 +7,17 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
+/// What keeps a colour from the film.
+inline Fault fault_of(T r, T g, T b) {
+  if (r != r || g != g || b != b) return Fault::NotANumber;
+  const auto infinite = [](T x) { return x - x != T(0); };
+  if (infinite(r) || infinite(g) || infinite(b)) return Fault::Infinite;
+  return r < T(0) || g < T(0) || b < T(0) ? Fault::Negative : Fault::BeyondFilm;
+}
+
 /// Adds the finished paths of `done` to the film. A sample that is not finite or beyond the film's
-/// range is dropped and counted, with the place of the first.
+/// range is dropped and counted, by its fault, with the place
+/// of the first.
 inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, const Work& work,
                   FilmView film, Counters& counters) {
   alignas(64) T rgb[3][kLanes], luminances[kLanes];
@@ -31,12 +40,11 @@ inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, cons
     ++counters.paths;
     const T r = rgb[0][lane], g = rgb[1][lane], b = rgb[2][lane];
     if (!(r >= T(0) && g >= T(0) && b >= T(0) && r <= kLimit && g <= kLimit && b <= kLimit)) {
-      if (counters.non_finite++ == 0) {
-        const auto width = static_cast<std::uint32_t>(film.width);
-        counters.bad_x = static_cast<int>(pixels[lane] % width) * work.stride + scene.camera.crop_x;
-        counters.bad_y = static_cast<int>(pixels[lane] / width) * work.stride + scene.camera.crop_y;
-        counters.bad_sample = samples[lane];
-      }
+      const auto width = static_cast<std::uint32_t>(film.width);
+      counters.drop({static_cast<int>(pixels[lane] % width) * work.stride + scene.camera.crop_x,
+                     static_cast<int>(pixels[lane] / width) * work.stride + scene.camera.crop_y,
+                     samples[lane]},
+                    fault_of(r, g, b));
       continue;
     }
     FilmPixel& pixel = film.pixels[pixels[lane]];

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "core/film/counters.h"
+#include "core/film/film.h"
+#include "core/kernel/path_end.h"
 #include "core/kernel/scene_view.h"
 
 namespace lightbench {
@@ -63,6 +66,43 @@ struct KernelBsdfSample {
   double wi[3], weight[3], pdf;
 };
 
+/// One vertex of a path, as path_watch.h writes it down; core/query/path.h says what the parts
+/// mean.
+struct KernelPathVertex {
+  enum class Place { Nowhere, Surface, Medium };
+  double o[3], d[3], throughput[3];
+  double time;
+  Place place;
+  std::uint32_t primitive, slot;
+  double t, p[3], ng[3], n[3];
+  bool front;
+  double base_color[3];
+
+  bool emits;
+  double emission[3], emission_weight;
+
+  bool light_sampled, light_visible;
+  KernelLightPoint light;
+  double light_value[3], light_value_pdf, light_weight, light_added[3];
+  std::uint32_t blocker;  ///< primitive, or kNoHit
+
+  bool scattered;
+  KernelBsdfSample next;
+
+  double survival;  ///< 1 without roulette
+  double radiance[3];
+  bool ends;
+  PathEnd end;
+};
+
+/// Where the vertices of a path go, one after the other, and what became of it.
+struct KernelPath {
+  void (*add)(void* context, const KernelPathVertex&);
+  void* context;
+  FilmPixel film;     ///< what the sample adds to its pixel
+  Counters counters;  ///< counters.bad_fault if it adds nothing
+};
+
 /// Each function answers in[i] in out[i].
 template <class T>
 struct QueryTable {
@@ -76,6 +116,8 @@ struct QueryTable {
   Query<KernelLightDirection, KernelLightPoint> pdf_lights;
   Query<KernelBsdfQuery, KernelBsdfValue> eval_bsdf;
   Query<KernelBsdfQuery, KernelBsdfSample> sample_bsdf;
+  /// One sample of the picture.
+  void (*trace_path)(const SceneView<T>&, const SampleName&, KernelPath&);
 };
 
 }  // namespace lightbench

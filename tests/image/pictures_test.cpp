@@ -111,8 +111,8 @@ Estimate render_batches(const Scene& scene) {
     Counters counters;
     const Work work{0, 0, compiled->width, compiled->height, b * kBatchSpp, kBatchSpp, 1};
     render(*compiled, work, film.view(), counters);
-    EXPECT_EQ(counters.non_finite, 0U) << "first at " << counters.bad_x << "," << counters.bad_y
-                                       << " sample " << counters.bad_sample;
+    EXPECT_EQ(counters.non_finite, 0U) << "first at " << counters.bad.x << "," << counters.bad.y
+                                       << " sample " << counters.bad.sample;
     batches.push_back(block_means(film.mean(kBatchSpp)));
   }
   Estimate out{Blocks(batches[0].size(), {0, 0, 0}), Blocks(batches[0].size(), {0, 0, 0})};

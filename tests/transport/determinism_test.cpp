@@ -171,17 +171,17 @@ TEST(FilmSums, SamplesBeyondTheRangeAreDroppedCountedAndLocated) {
     EXPECT_EQ(counters.paths, 256U);
     ASSERT_GT(counters.non_finite, 0U);
     EXPECT_LE(counters.non_finite, 128U);
-    EXPECT_GE(counters.bad_x, 4) << "the left half is sound";
+    EXPECT_GE(counters.bad.x, 4) << "the left half is sound";
     // The sample it names, replayed alone, is bad again.
     Counters again;
     Film replay(8, 8, scene->film_unit);
     render(*scene,
-           {counters.bad_x, counters.bad_y, counters.bad_x + 1, counters.bad_y + 1,
-            counters.bad_sample, 1, 1},
+           {counters.bad.x, counters.bad.y, counters.bad.x + 1, counters.bad.y + 1,
+            counters.bad.sample, 1, 1},
            replay.view(), again);
     EXPECT_EQ(again.non_finite, 1U);
-    EXPECT_EQ(again.bad_x, counters.bad_x);
-    EXPECT_EQ(again.bad_sample, counters.bad_sample);
+    EXPECT_EQ(again.bad.x, counters.bad.x);
+    EXPECT_EQ(again.bad.sample, counters.bad.sample);
     // What was dropped adds nothing.
     for (std::size_t i = 0; i < 64; ++i) {
       const glm::dvec3 p = pixel_mean(film, i, 4);

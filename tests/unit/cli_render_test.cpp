@@ -42,7 +42,7 @@ TEST_F(Cli, VersionAndHelpOfEachSubcommand) {
   }
   const ProgramResult help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"view", "render", "screenshot", "info", "compare"}) {
+  for (const char* command : {"view", "render", "screenshot", "info", "compare", "query"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
     const ProgramResult of_command = run({command, "--help"});
     EXPECT_EQ(of_command.exit_code, 0) << command;
