@@ -33,6 +33,7 @@ struct QueryOptions {
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const Named& element : list) names.push_back(element.name);
   return names;
 }

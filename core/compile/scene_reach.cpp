@@ -37,7 +37,7 @@ struct SmallestFeature {
     const auto& v = s.vertices;
     const double volume6 = std::abs(glm::dot(v[1] - v[0], glm::cross(v[2] - v[0], v[3] - v[0])));
     double area2 = 0;
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
       const glm::dvec3 a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
       area2 = std::max(area2, glm::length(glm::cross(b - a, c - a)));
     }
