@@ -13,7 +13,7 @@ namespace lightbench {
 
 /// What 0..4 of ErrorKind leave: exit codes of runs that produced a picture or a verdict.
 inline constexpr int kExitStoppedByLimit = 5;  ///< the image is saved, the target is not reached
-inline constexpr int kExitGateFailed = 6;      ///< compare --max-relmse
+inline constexpr int kExitGateFailed = 6;      ///< compare --max-relmse, a line of stress
 
 /// Returns the exit code; may throw Error.
 using Action = std::function<int()>;
@@ -24,5 +24,6 @@ void add_screenshot(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
+void add_stress(CLI::App& app, Action& action);
 
 }  // namespace lightbench

@@ -74,15 +74,17 @@ inline Surface surface_cylinder(const Cylinder& c, Vec o, Vec d, Real inverse_dd
   const Real rho = length(perp);
   const Vec radial = select(rho > Real(0), perp * (Real(1) / max(rho, Real(T(1e-30)))), c.meridian);
   const Real level = copysign(c.half, z);
+  // A ray along the side can land beyond the rim by the rounding of t.
+  const Real along = clamp(z, -c.half, c.half);
   Surface r;
   r.ng = select(cap, c.axis * copysign(Real(1), z), radial);
   r.ns = r.ng;
   r.p = c.middle +
-        madd(c.axis, select(cap, level, z), radial * select(cap, min(rho, c.radius), c.radius));
+        madd(c.axis, select(cap, level, along), radial * select(cap, min(rho, c.radius), c.radius));
   if (uv == Coordinates::None) return r;
   const Vec binormal = cross(c.axis, c.meridian);
   r.u = atan2(dot(radial, binormal), dot(radial, c.meridian)) * (kInvPi * T(0.5)) + Real(T(0.5));
-  r.v = select(cap, min(rho / c.radius, Real(1)), (z / c.half + Real(1)) * T(0.5));
+  r.v = select(cap, min(rho / c.radius, Real(1)), (along / c.half + Real(1)) * T(0.5));
   r.tangent = cross(c.axis, radial);
   return r;
 }

@@ -109,8 +109,9 @@ inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t, Coordin
   const Vec q = madd(ray.d, t, ray.o - tri.a);
   const Real inverse = Real(1) / length_squared(nn);
   Surface r;
+  // Far rays that graze the face land beyond its edges by the rounding of t.
   r.u = clamp(dot(cross(q, e2), nn) * inverse, Real(0), Real(1));
-  r.v = clamp(dot(cross(e1, q), nn) * inverse, Real(0), Real(1));
+  r.v = clamp(dot(cross(e1, q), nn) * inverse, Real(0), Real(1) - r.u);
   r.p = madd(e1, r.u, madd(e2, r.v, tri.a));
   r.ng = face_normal(s, face);
   r.ns = r.ng;

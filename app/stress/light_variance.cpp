@@ -1,0 +1,75 @@
+// How noisy one sample of a light is: relative variance of the light that it brings to a receiver
+// that faces it.
+
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/stress/light_scenes.h"
+#include "app/stress/suite.h"
+
+namespace lightbench::stress {
+namespace {
+
+constexpr int kGrid = 48;
+
+/// Variance over squared mean of one sample, over a grid of random numbers, for each light of the
+/// scene by itself; the mean is that of all. 0 if nothing arrives.
+double relative_variance(const RenderScene& scene, const glm::dvec3& from, const glm::dvec3& n) {
+  std::vector<LightQuery> queries;
+  for (int i = 0; i < kGrid; ++i) {
+    for (int k = 0; k < kGrid; ++k) {
+      queries.push_back({from, (i + 0.5) / kGrid, (k + 0.5) / kGrid, 0, 0, 0});
+    }
+  }
+  std::vector<LightPoint> points(queries.size());
+  sample_lights(scene, queries, points);
+  double sum = 0, squares = 0;
+  for (const LightPoint& p : points) {
+    const double cosine = p.valid ? glm::dot(p.direction, n) : 0;
+    const double value = cosine > 0 ? p.radiance.x * cosine / p.pdf : 0;
+    sum += value;
+    squares += value * value;
+  }
+  const auto count = static_cast<double>(points.size());
+  return sum > 0 ? squares * count / (sum * sum) - 1 : 0;
+}
+
+void add(std::vector<Test>& tests, Kind kind, double limit) {
+  const std::string name = std::string(name_of(kind)) + " light, variance of one sample";
+  tests.push_back(
+      {name,
+       "receivers 10^U(-3,3) sizes above a random point of the light, facing it; 48 x 48 samples",
+       {{name, "variance / mean^2", limit, limit}},
+       256,
+       100'000,
+       32,
+       [kind](KernelKind kernel) -> Chunk {
+         return [kernel, kind](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
+           for (std::uint64_t i = 0; i < trials; ++i) {
+             const LightStage stage = light_stage(random, kind, 1, kernel);
+             const SurfacePoint s = random_surface_point(random, stage);
+             const double height = random.decade(-3, 3);
+             const glm::dvec3 from = s.p + height * s.n;
+             const double variance = relative_variance(*stage.scene, from, -s.n);
+             tallies[0].trial();
+             tallies[0].measure(variance, [&] {
+               return fmt::format("{:.3g} from {}, {:.3g} above {}", variance, to_text(stage.shape),
+                                  height, to_text(s.p));
+             });
+           }
+         };
+       }});
+}
+
+}  // namespace
+
+void add_light_variance_tests(std::vector<Test>& tests) {
+  for (const Kind kind : kKinds) {
+    if (kind == Kind::Mesh) continue;  // its lights are triangles
+    const bool exact = kind == Kind::Sphere || kind == Kind::Rectangle || kind == Kind::Triangle;
+    add(tests, kind, exact ? 0.35 : 0.5);
+  }
+}
+
+}  // namespace lightbench::stress

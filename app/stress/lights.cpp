@@ -1,0 +1,216 @@
+// Light samplers: densities against solid angles, samples against the density of their directions,
+// and random numbers at the ends of [0,1).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/stress/light_scenes.h"
+#include "app/stress/scenes.h"
+#include "app/stress/suite.h"
+
+namespace lightbench::stress {
+namespace {
+
+constexpr Number kPi = std::numbers::pi_v<Number>;
+
+// ---- solid angles
+// --------------------------------------------------------------------------------
+
+/// Van Oosterom and Strackee's, with the determinant from edges, which keeps it exact from afar.
+Number triangle_angle(const V& from, const V& p, const V& q, const V& r) {
+  const V a = p - from, b = q - from, c = r - from;
+  const Number x = glm::length(a), y = glm::length(b), z = glm::length(c);
+  const Number determinant = glm::dot(a, glm::cross(q - p, r - p));
+  const Number below = x * y * z + glm::dot(a, b) * z + glm::dot(b, c) * x + glm::dot(c, a) * y;
+  return 2 * std::abs(std::atan2(determinant, below));
+}
+
+Number solid_angle(const Shape& shape, const V& from) {
+  if (const auto* s = std::get_if<SphereShape>(&shape)) {
+    const V w = V(s->center) - from;
+    const Number sine2 = static_cast<Number>(s->radius) * s->radius / glm::dot(w, w);
+    return 2 * kPi * sine2 / (1 + std::sqrt(1 - sine2));
+  }
+  if (const auto* s = std::get_if<TriangleShape>(&shape)) {
+    return triangle_angle(from, V(s->a), V(s->b), V(s->c));
+  }
+  const auto& s = std::get<RectangleShape>(shape);
+  const V a(s.corner), u(s.edge_u), v(s.edge_v);
+  return triangle_angle(from, a, a + u, a + u + v) + triangle_angle(from, a, a + u + v, a + v);
+}
+
+/// Nodes and weights of Gauss and Legendre on [0,1], by Newton's iteration.
+template <std::size_t kCount>
+std::array<std::pair<double, double>, kCount> gauss() {
+  std::array<std::pair<double, double>, kCount> rule;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (kCount + 0.5));
+    double slope = 1;
+    for (int step = 0; step < 60; ++step) {
+      double p0 = 1, p1 = x;
+      for (std::size_t k = 2; k <= kCount; ++k) {
+        const auto n = static_cast<double>(k);
+        const double p2 = ((2 * n - 1) * x * p1 - (n - 1) * p0) / n;
+        p0 = p1;
+        p1 = p2;
+      }
+      slope = static_cast<double>(kCount) * (x * p1 - p0) / (x * x - 1);
+      x -= p1 / slope;
+    }
+    rule[i] = {0.5 * (x + 1), 1 / ((1 - x * x) * slope * slope)};
+  }
+  return rule;
+}
+
+/// The integral of 1 / pdf over the random numbers, which is the solid angle: over both halves of
+/// the square and with both numbers squared, so that maps that fold it or take square roots are
+/// smooth.
+double sampled_angle(const RenderScene& scene, const glm::dvec3& from) {
+  static const auto rule = gauss<20>();
+  std::vector<LightQuery> queries;
+  std::vector<double> weights;
+  for (const auto& [s, ws] : rule) {
+    for (const auto& [c, wc] : rule) {
+      const double large = s * s, small = large * c * c;
+      queries.push_back({from, large, small, 0, 0, 0});
+      queries.push_back({from, small, large, 0, 0, 0});
+      weights.insert(weights.end(), 2, ws * wc * 4 * s * s * s * c);
+    }
+  }
+  std::vector<LightPoint> points(queries.size());
+  sample_lights(scene, queries, points);
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].valid) sum += weights[i] / points[i].pdf;
+  }
+  return sum;
+}
+
+void add_angle(std::vector<Test>& tests, Kind kind) {
+  const std::string name = std::string(name_of(kind)) + " light, 1/pdf against its solid angle";
+  tests.push_back(
+      {name,
+       "10^U(.2,7) sizes away, seen at cos .05 and up; 1/pdf integrated over u",
+       {{name, "relative error", 1e-6, 1e-6}},
+       2048,
+       1'000'000,
+       128,
+       [kind](KernelKind kernel) -> Chunk {
+         return [kernel, kind](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
+           for (std::uint64_t i = 0; i < trials; ++i) {
+             const double away = random.decade(0.2, 7);
+             const LightStage stage = light_stage(random, kind, away, kernel);
+             glm::dvec3 n = random.direction();
+             if (!is_solid(kind)) {
+               const glm::dvec3 face(random_surface_point(random, stage).n);
+               while (std::abs(glm::dot(n, face)) < 0.05) n = random.direction();
+             }
+             const glm::dvec3 from = as_held(*stage.scene, away * n);
+             const auto expected = static_cast<double>(solid_angle(stage.shape, V(from)));
+             const double got = sampled_angle(*stage.scene, from);
+             tallies[0].trial();
+             tallies[0].measure(std::abs(got / expected - 1), [&] {
+               return fmt::format("{} from {}: {:.17g} sr, not {:.17g}", to_text(stage.shape),
+                                  to_text(from), got, expected);
+             });
+           }
+         };
+       }});
+}
+
+// ---- density of samples
+// --------------------------------------------------------------------------
+
+/// Outside at 10^U(-3,3) sizes, on the surface, or inside.
+glm::dvec3 receiver(Random& random, const LightStage& stage) {
+  const SurfacePoint s = random_surface_point(random, stage);
+  switch (random.below(3)) {
+    case 0:
+      return is_solid(stage.kind) ? random_point(random, stage.shape) : s.p;
+    case 1:
+      return s.p;
+    default:
+      return s.p + random.decade(-3, 3) * glm::normalize(s.n + 0.9 * random.direction());
+  }
+}
+
+enum ConsistencyLine { kConsistent, kEnds };
+
+void add_consistency(std::vector<Test>& tests, Kind kind) {
+  const std::string light = std::string(name_of(kind)) + " light";
+  tests.push_back(
+      {light + ", densities",
+       "points outside at 10^U(-3,3) sizes, on the light and inside; a third of the random numbers "
+       "from {0, 2^-53, 2^-32, 2^-24, .5, 1-2^-24, 1-2^-53}. Densities are compared where the "
+       "direction meets the sampled point first, at cos .01 and up",
+       {{light + ", pdf of a sample's direction", "|pdf / sample's pdf - 1|", 1e-6, 1e-3},
+        {light + ", NaN, infinite, pdf <= 0 or not unit", "", kNoLimit, kNoLimit, 0}},
+       60'000,
+       10'000'000,
+       4096,
+       [kind](KernelKind kernel) -> Chunk {
+         return [kernel, kind](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
+           constexpr double kEdges[] = {0,   0x1p-53,     0x1p-32,    0x1p-24,
+                                        0.5, 1 - 0x1p-24, 1 - 0x1p-53};
+           const LightStage stage = light_stage(random, kind, 1, kernel);
+           const int lights = light_count(*stage.scene);
+           std::vector<LightQuery> queries(trials);
+           for (LightQuery& q : queries) {
+             const auto number = [&] {
+               return random.chance(0.33) ? kEdges[random.below(std::size(kEdges))] : random.unit();
+             };
+             q.point = as_held(*stage.scene, receiver(random, stage));
+             q.u = number();
+             q.v = number();
+             q.light = random.below(lights);
+           }
+           std::vector<LightPoint> samples(trials), seen(trials);
+           sample_lights(*stage.scene, queries, samples);
+           std::vector<LightDirection> directions(trials);
+           for (std::size_t i = 0; i < trials; ++i) {
+             const bool usable = samples[i].valid && glm::length(samples[i].direction) > 0.5;
+             directions[i] = {queries[i].point, usable ? samples[i].direction : glm::dvec3(0, 0, 1),
+                              queries[i].light, 0};
+           }
+           pdf_lights(*stage.scene, directions, seen);
+           for (std::size_t i = 0; i < trials; ++i) {
+             const LightPoint &a = samples[i], &b = seen[i];
+             const auto text = [&] {
+               return fmt::format(
+                   "{} from {}, light {}, u {:.17g} {:.17g}: pdf {:.9g}, of its "
+                   "direction {:.9g}, distance {:.9g} and {:.9g}",
+                   to_text(stage.shape), to_text(queries[i].point), queries[i].light, queries[i].u,
+                   queries[i].v, a.pdf, b.pdf, a.distance, b.distance);
+             };
+             tallies[kEnds].trial();
+             if (!a.valid) continue;
+             const bool sound = a.pdf > 0 && std::isfinite(a.pdf) && std::isfinite(a.distance) &&
+                                std::abs(glm::length(a.direction) - 1) < 1e-6;
+             if (!sound) tallies[kEnds].fail(text);
+             // The far side of a solid is met on the near one: another direction's business.
+             const double cosine = std::abs(glm::dot(b.normal, b.direction));
+             if (!sound || !b.valid || cosine < 0.01) continue;
+             const double rounding = 64 * rounding_of(*stage.scene) * (1 + b.distance) / cosine;
+             // Nor are the faces that meet in an edge the same place.
+             const bool same_face = glm::dot(a.normal, b.normal) > 0.9999;
+             if (!same_face || std::abs(a.distance - b.distance) > rounding) continue;
+             tallies[kConsistent].trial();
+             tallies[kConsistent].measure(std::abs(b.pdf / a.pdf - 1), text);
+           }
+         };
+       }});
+}
+
+}  // namespace
+
+void add_light_tests(std::vector<Test>& tests) {
+  for (const Kind kind : {Kind::Sphere, Kind::Rectangle, Kind::Triangle}) add_angle(tests, kind);
+  for (const Kind kind : kKinds) add_consistency(tests, kind);
+}
+
+}  // namespace lightbench::stress

@@ -1,0 +1,139 @@
+#include "app/stress/suite.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace lightbench::stress {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool wanted(const Test& test, const std::string& filter) {
+  return contains(test.name, filter) ||
+         std::any_of(test.lines.begin(), test.lines.end(),
+                     [&](const Line& line) { return contains(line.name, filter); });
+}
+
+double limit_of(const Line& line, const Subject& subject) {
+  return subject.strict ? line.limit_double : line.limit_auto;
+}
+
+/// Runs f(i) for all i in [begin, end) on so many threads; the first exception is thrown again.
+template <class F>
+void for_each_on_threads(std::uint64_t begin, std::uint64_t end, int threads, F f) {
+  std::atomic<std::uint64_t> next{begin};
+  std::exception_ptr error;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (;;) {
+      const std::uint64_t i = next++;
+      if (i >= end) return;
+      try {
+        f(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!error) error = std::current_exception();
+        next = end;
+      }
+    }
+  };
+  std::vector<std::jthread> others;
+  const auto most = static_cast<std::uint64_t>(std::max(threads, 1));
+  for (std::uint64_t k = 1; k < std::min(most, end - begin); ++k) others.emplace_back(work);
+  work();
+  others.clear();
+  if (error) std::rethrow_exception(error);
+}
+
+std::vector<Tally> run_test(const Test& test, const SuiteOptions& options, const Subject& subject) {
+  const std::uint64_t trials = options.long_form ? test.long_trials : test.short_trials;
+  const std::uint64_t chunks = (trials + test.chunk - 1) / test.chunk;
+  std::uint64_t begin = 0, end = chunks;
+  if (options.chunk >= 0) {
+    begin = static_cast<std::uint64_t>(options.chunk);
+    end = begin + 1;
+  }
+  const auto empty = [&](std::uint64_t chunk) {
+    std::vector<Tally> tallies;
+    for (const Line& line : test.lines) tallies.emplace_back(limit_of(line, subject), chunk);
+    return tallies;
+  };
+  const Chunk run = test.prepare(subject.kernel);
+  // Long runs have many chunks: they are added up in order, in groups.
+  constexpr std::uint64_t kGroup = 1024;
+  std::vector<Tally> total = empty(begin);
+  for (std::uint64_t first = begin; first < end; first += kGroup) {
+    const std::uint64_t last = std::min(end, first + kGroup);
+    std::vector<std::vector<Tally>> parts(last - first);
+    for_each_on_threads(first, last, options.threads, [&](std::uint64_t chunk) {
+      Random random(options.seed, test.name, chunk);
+      std::vector<Tally> tallies = empty(chunk);
+      run(random, std::min(test.chunk, trials - std::min(trials, chunk * test.chunk)), tallies);
+      parts[chunk - first] = std::move(tallies);
+    });
+    for (const std::vector<Tally>& part : parts) {
+      for (std::size_t k = 0; k < total.size(); ++k) total[k].add(part[k]);
+    }
+  }
+  return total;
+}
+
+}  // namespace
+
+void Tally::add(const Tally& other) {
+  if (failures_ == 0) first_failure_ = other.first_failure_;
+  trials_ += other.trials_;
+  failures_ += other.failures_;
+  if (!(other.worst_ <= worst_)) worst_ = other.worst_;
+}
+
+bool LineResult::passed() const {
+  const double share = static_cast<double>(tally.failures()) /
+                       static_cast<double>(std::max<std::uint64_t>(1, tally.trials()));
+  return tally.trials() > 0 && share <= allowed;
+}
+
+std::vector<Test> stress_tests() {
+  std::vector<Test> tests;
+  add_sphere_tests(tests);
+  add_cylinder_tests(tests);
+  add_flat_tests(tests);
+  add_polyhedron_tests(tests);
+  add_mesh_leak_tests(tests);
+  add_solid_leak_tests(tests);
+  add_self_hit_tests(tests);
+  add_light_tests(tests);
+  add_light_variance_tests(tests);
+  add_bsdf_tests(tests);
+  add_tree_tests(tests);
+  add_film_tests(tests);
+  return tests;
+}
+
+void run_suite(const std::vector<Test>& tests, const SuiteOptions& options,
+               const std::function<void(const LineResult&)>& report) {
+  for (const Test& test : tests) {
+    if (!wanted(test, options.filter)) continue;
+    for (const Subject& subject : options.subjects) {
+      const auto start = std::chrono::steady_clock::now();
+      const std::vector<Tally> tallies = run_test(test, options, subject);
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      for (std::size_t k = 0; k < test.lines.size(); ++k) {
+        const Line& line = test.lines[k];
+        if (!contains(test.name, options.filter) && !contains(line.name, options.filter)) continue;
+        const double allowed = subject.strict ? 0 : line.allowed_auto;
+        report({&test, &line, &subject, limit_of(line, subject), allowed, tallies[k],
+                seconds.count()});
+      }
+    }
+  }
+}
+
+}  // namespace lightbench::stress

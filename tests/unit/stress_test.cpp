@@ -1,0 +1,82 @@
+// The short form of `lightbench stress`: every line passes but those that docs/accuracy.md names as
+// failing.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/unit/program.h"
+
+namespace lightbench {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Rows "| name | kernel | ..." of the table under "Lines that fail", as "name, kernel".
+std::set<std::string> known_failures() {
+  std::istringstream text(
+      read_text(std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "docs/accuracy.md"));
+  std::set<std::string> known;
+  bool inside = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("#")) inside = line == "### Lines that fail";
+    if (!inside || !line.starts_with("| ")) continue;
+    const std::size_t second = line.find(" | ", 2), third = line.find(" | ", second + 3);
+    known.insert(line.substr(2, second - 2) + ", " + line.substr(second + 3, third - second - 3));
+  }
+  return known;
+}
+
+TEST(Stress, TheShortFormPassesButForTheLinesThatTheDocumentsName) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"stress", "--json", "table.json", "--threads", "1"};
+#ifdef __SANITIZE_ADDRESS__  // a tenth of the speed: a part of the suite
+  arguments.insert(arguments.end(), {"--filter", "leave"});
+#endif
+  const ProgramResult result = run_lightbench(folder.path(), arguments);
+  ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 6) << result.err;
+  const Json report = Json::parse(read_text(folder.path() / "table.json"));
+  const std::set<std::string> known = known_failures();
+  int failed = 0;
+  for (const Json& line : report["lines"]) {
+    EXPECT_GT(line["trials"].get<std::uint64_t>(), 0U) << line["line"];
+    if (line["pass"].get<bool>()) continue;
+    ++failed;
+    const auto name = line["line"].get<std::string>() + ", " + line["kernel"].get<std::string>();
+    EXPECT_TRUE(known.contains(name)) << line.dump(2);
+  }
+  EXPECT_EQ(report["failed"].get<int>(), failed);
+  EXPECT_EQ(result.exit_code, failed == 0 ? 0 : 6);
+}
+
+TEST(Stress, AChunkThatFailedIsRunAgainAlone) {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"stress", "--filter", "cylinder, hit", "--kernel",
+                                       "double", "--json",   "table.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_lightbench(folder.path(), arguments).exit_code, 0);
+    Json report = Json::parse(read_text(folder.path() / "table.json"));
+    EXPECT_EQ(report["lines"].size(), 1U);
+    report["lines"][0].erase("testSeconds");
+    return report["lines"];
+  };
+  const Json once = run({"--chunk", "3"});
+  EXPECT_EQ(once, run({"--chunk", "3", "--threads", "2"}));
+  EXPECT_NE(once[0]["trials"], run({"--chunk", "4"})[0]["trials"]);
+  EXPECT_NE(once[0]["trials"], run({"--chunk", "3", "--seed", "2"})[0]["trials"]);
+  EXPECT_LT(once[0]["trials"], run({"--threads", "2"})[0]["trials"]);
+}
+
+TEST(Stress, AFilterThatNoTestMatchesIsAnError) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_lightbench(folder.path(), {"stress", "--filter", "nonsense"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--filter 'nonsense'"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace lightbench
