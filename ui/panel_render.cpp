@@ -70,6 +70,9 @@ void draw_render_panel(Workbench& bench) {
                     "Longest path from the camera");
       integer_field("Roulette after", render.roulette_depth, 0, 10'000, "%d bounces",
                     "Dim paths may end early from here on; the picture stays unbiased");
+      enum_field("Strategy", render.strategy, {"Lights and BSDF", "Lights only", "BSDF only"},
+                 "How light is looked for. One strategy alone shows the same picture with more "
+                 "noise: for finding faults");
       seed_field("Seed", render.seed);
     }
     if (section("Pixel filter")) {

@@ -90,6 +90,8 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.environment = compile_environment<T>(scene.environment);
   v.max_depth = scene.render.max_depth;
   v.roulette_depth = scene.render.roulette_depth;
+  v.samples_lights = v.light_count > 0 && scene.render.strategy != Strategy::Bsdf;
+  v.counts_hits_of_lights = scene.render.strategy != Strategy::Lights;
   v.seed = scene.render.seed;
   v.inverse_film_unit = static_cast<T>(1 / film_unit);
 

@@ -18,7 +18,7 @@ std::vector<Feature> feature_list(const SceneView<T>& view) {
        "closest approach of far rays to small round shapes"},
       {"motion", view.camera.moving, "rays carry a time"},
       {"lens", view.camera.lens_radius > T(0), "defocus blur"},
-      {"lights", view.light_count > 0, "next-event estimation"},
+      {"lights", view.samples_lights, "next-event estimation"},
       {"environment", view.has_environment, "radiance from outside"},
       {"media", view.medium_count > 0, "free flights and transmittance"},
       {"textures", view.has_textures, "base colour lookups"},

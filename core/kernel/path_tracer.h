@@ -129,7 +129,8 @@ template <class Watch>
   const Vec emission = light_radiance(scene, place, s, shadow);
 
   const Real pdf = s.pdf * chosen.pmf;
-  const Real weight = power_heuristic(pdf, value.pdf) / pdf;
+  const Real share = scene.counts_hits_of_lights ? power_heuristic(pdf, value.pdf) : Real(1);
+  const Real weight = share / pdf;
   Vec light = paths.throughput * value.f * emission * weight;
   if constexpr (Watch::kOn) watch.light_sampled(chosen, s, value, emission, weight * pdf);
   const Mask wanted = s.valid && max_component(light) > Real(0);
@@ -175,12 +176,15 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   if (none(bright)) return;
   Real weight(1);
   const Mask sampled = bright && paths.pdf > Real(0);
-  if (any(sampled)) {
+  if (scene.samples_lights && any(sampled)) {
     const auto [light, known] = light_of(scene, hit, sampled);
     const Real pdf = gather(scene.light_pmf, light) *
                      pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
                                paths.ray.d, hit.t, v.surface.ng, known);
-    weight = select(known, power_heuristic(paths.pdf, pdf), weight);
+    // Light sampling alone leaves only what it cannot choose to the paths' own rays.
+    const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)
+                                                   : select(pdf > Real(0), Real(0), Real(1));
+    weight = select(known, share, weight);
   }
   if constexpr (Watch::kOn) watch.emitted(bright, v.material.emission, weight);
   paths.radiance = select(
@@ -246,7 +250,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   paths.ray.from = select(v.in_medium, Int(kNoHit), hit.primitive);
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
-  if (scene.light_count > 0 && any(lit))
+  if (scene.samples_lights && any(lit))
     add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));

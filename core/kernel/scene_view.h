@@ -101,6 +101,10 @@ struct SceneView {
   const T* textures = nullptr;
   const ImageView* images = nullptr;  ///< by texture
 
+  // Strategies: next-event estimation, and emission that paths' own rays meet where next-event
+  // estimation can reach it. Both: weighted against each other.
+  bool samples_lights = false;
+  bool counts_hits_of_lights = true;
   std::uint32_t light_count = 0;
   const std::uint32_t* light_primitive = nullptr;
   const std::uint32_t* light_slot = nullptr;  ///< triangle slot of a mesh light

@@ -32,6 +32,9 @@ inline constexpr Names<FilterKind, 3> kFilterKinds{{{"box", FilterKind::Box},
                                                     {"triangle", FilterKind::Triangle},
                                                     {"gaussian", FilterKind::Gaussian}}};
 
+inline constexpr Names<Strategy, 3> kStrategies{
+    {{"mis", Strategy::Mis}, {"lights", Strategy::Lights}, {"bsdf", Strategy::Bsdf}}};
+
 inline constexpr Names<ToneMap, 3> kToneMaps{
     {{"srgb", ToneMap::Srgb}, {"reinhard", ToneMap::Reinhard}, {"aces", ToneMap::Aces}}};
 

@@ -87,6 +87,7 @@ void read_render(const JsonCursor& cursor, RenderSettings& render) {
   fields.optional("timeLimit", render.time_limit);
   fields.optional("maxDepth", render.max_depth);
   fields.optional("rouletteDepth", render.roulette_depth);
+  fields.optional_name("strategy", kStrategies, render.strategy);
   fields.optional("seed", render.seed);
   fields.optional("snapshots", render.snapshots);
   if (fields.has("filter")) {

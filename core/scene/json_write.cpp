@@ -89,6 +89,7 @@ OrderedJson write_render(const RenderSettings& render) {
   put(json, "timeLimit", render.time_limit, assumed.time_limit);
   put(json, "maxDepth", render.max_depth, assumed.max_depth);
   put(json, "rouletteDepth", render.roulette_depth, assumed.roulette_depth);
+  put_name(json, "strategy", kStrategies, render.strategy, assumed.strategy);
   put(json, "seed", render.seed, assumed.seed);
   OrderedJson filter = OrderedJson::object();
   put_name(filter, "type", kFilterKinds, render.filter, assumed.filter);

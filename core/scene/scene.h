@@ -218,6 +218,13 @@ struct Crop {
   bool operator==(const Crop&) const = default;
 };
 
+/// How paths find what surfaces emit; all three have the same mean (Veach 1997, ch. 9).
+enum class Strategy {
+  Mis,     ///< light and BSDF sampling, weighted against each other
+  Lights,  ///< light sampling; paths' own rays count emission only where that cannot reach it
+  Bsdf,    ///< paths' own rays only
+};
+
 struct RenderSettings {
   int width = 600;
   int height = 600;
@@ -226,6 +233,7 @@ struct RenderSettings {
   double time_limit = 0;   ///< seconds; 0 = no limit
   int max_depth = 50;      ///< path segments from the camera, >= 1
   int roulette_depth = 4;  ///< bounces before Russian roulette starts
+  Strategy strategy = Strategy::Mis;
   std::uint32_t seed = 0;
   FilterKind filter = FilterKind::Box;
   double filter_radius = 0.5;  ///< pixels; half the width

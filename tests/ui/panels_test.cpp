@@ -86,6 +86,18 @@ TEST(Panels, RenderSettingsRestartAndTheTargetDoesNot) {
   EXPECT_EQ(interface.bench().frame->image.width, 64);
 }
 
+TEST(Panels, StrategiesShowTheSameSceneWithOtherNoise) {
+  Interface interface(small_scene());
+  for (const auto& [name, strategy] :
+       {std::pair{"Lights only", Strategy::Lights}, {"BSDF only", Strategy::Bsdf}}) {
+    expect_new_picture(interface, [name = name](ImGuiTestContext* ctx) {
+      ctx->WindowFocus("//Render");
+      choose(ctx, "//Render/##Strategy", name);
+    });
+    EXPECT_EQ(interface.scene().render.strategy, strategy);
+  }
+}
+
 TEST(Panels, ThreadsStartTheSessionAgain) {
   Interface interface(small_scene());
   interface.settle(1);

@@ -102,6 +102,11 @@ const std::vector<Edit>& edits() {
       {"spp", Change::None, [](S s) { s.render.spp += 1; }},
       {"a name", Change::None, [](S s) { s.objects[0].name += "x"; }},
       {"depth", Change::None, [](S s) { s.render.max_depth = s.render.max_depth == 3 ? 9 : 3; }},
+      {"strategy", Change::None,
+       [](S s) {
+         s.render.strategy =
+             s.render.strategy == Strategy::Lights ? Strategy::Bsdf : Strategy::Lights;
+       }},
       {"seed", Change::None, [](S s) { s.render.seed += 7; }},
       {"filter", Change::None,
        [](S s) {
@@ -299,6 +304,19 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
     EXPECT_FALSE(used(*compile(with, KernelKind::Auto), c.feature))
         << c.feature << " of a hidden object";
   }
+}
+
+TEST(Compile, WithBsdfSamplingAloneLightsAreNotSampled) {
+  Scene scene = scene_with_everything();
+  EXPECT_TRUE(used(*compile(scene, KernelKind::Auto), "lights"));
+  scene.render.strategy = Strategy::Bsdf;
+  const auto compiled = compile(scene, KernelKind::Auto);
+  EXPECT_FALSE(used(*compiled, "lights"));
+  Film film(compiled->crop.width, compiled->crop.height, compiled->film_unit);
+  Counters counters;
+  render(*compiled, {0, 0, film.width(), film.height(), 0, 2, 1}, film.view(), counters);
+  EXPECT_EQ(counters.shadow_rays, 0U);
+  EXPECT_EQ(compiled->stats.lights, 1) << "they are still there";
 }
 
 TEST(Compile, WhatASceneDoesNotUseChangesNoBit) {

@@ -49,6 +49,7 @@ const std::vector<Edit>& edits() {
       {"render.snapshots", Change::Target, [](S s) { s.render.snapshots.push_back(9); }},
       {"render.max_depth", Change::Settings, [](S s) { s.render.max_depth = 9; }},
       {"render.roulette_depth", Change::Settings, [](S s) { s.render.roulette_depth = 9; }},
+      {"render.strategy", Change::Settings, [](S s) { s.render.strategy = Strategy::Bsdf; }},
       {"render.seed", Change::Settings, [](S s) { s.render.seed = 9; }},
       {"render.filter", Change::Settings, [](S s) { s.render.filter = FilterKind::Gaussian; }},
       {"render.filter_radius", Change::Settings, [](S s) { s.render.filter_radius = 9; }},

@@ -122,6 +122,8 @@ TEST(SceneErrors, Members) {
        R"(/environment/type: expected constant, gradient or image, got "sky")"},
       {R"("render": {"filter": {"type": "tent"}})",
        R"(/render/filter/type: expected box, triangle or gaussian, got "tent")"},
+      {R"("render": {"strategy": "nee"})",
+       R"(/render/strategy: expected mis, lights or bsdf, got "nee")"},
       {R"("display": {"toneMap": "filmic"})",
        R"(/display/toneMap: expected srgb, reinhard or aces, got "filmic")"},
       // missing

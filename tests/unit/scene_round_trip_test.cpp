@@ -36,6 +36,7 @@ Scene full_scene(const TemporaryFolder& folder) {
   s.render.time_limit = 90.5;
   s.render.max_depth = 7;
   s.render.roulette_depth = 3;
+  s.render.strategy = Strategy::Lights;
   s.render.seed = 4294967295U;
   s.render.filter = FilterKind::Gaussian;
   s.render.filter_radius = 1.5;
