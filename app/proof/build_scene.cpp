@@ -1,4 +1,4 @@
-#include "tests/transport/build_scene.h"
+#include "app/proof/build_scene.h"
 
 #include <memory>
 

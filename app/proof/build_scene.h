@@ -1,5 +1,5 @@
 #pragma once
-// Short words for building test scenes in C++.
+// Short words for building scenes whose pictures are known.
 
 #include <vector>
 

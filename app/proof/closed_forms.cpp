@@ -1,4 +1,4 @@
-#include "tests/transport/closed_forms.h"
+#include "app/proof/closed_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/transport/build_scene.h"
-#include "tests/transport/closed_forms.h"
+#include "app/proof/build_scene.h"
+#include "app/proof/closed_forms.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {

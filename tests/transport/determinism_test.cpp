@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
+#include "app/proof/build_scene.h"
 #include "core/scene/scene_io.h"
-#include "tests/transport/build_scene.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {

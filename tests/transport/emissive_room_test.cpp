@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tests/transport/build_scene.h"
+#include "app/proof/build_scene.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/transport/build_scene.h"
-#include "tests/transport/closed_forms.h"
+#include "app/proof/build_scene.h"
+#include "app/proof/closed_forms.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {

@@ -8,45 +8,16 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
+#include "app/proof/build_scene.h"
+#include "app/proof/same_world.h"
 #include "core/scene/scene_io.h"
 #include "core/scene/transform.h"
-#include "tests/transport/build_scene.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {
 namespace {
 
 using glm::dvec3;
-
-/// `scene` in units `scale` times as fine, moved by `shift` (in the new units).
-Scene rewritten(Scene s, double scale, const dvec3& shift) {
-  const auto move = [&](dvec3& p) { p = p * scale + shift; };
-  move(s.camera.look_from);
-  move(s.camera.look_at);
-  s.camera.focus_distance *= scale;
-  s.camera.lens_radius *= scale;
-  for (Object& o : s.objects) {
-    move(o.transform.translation);
-    o.transform.scale *= scale;
-  }
-  for (Medium& m : s.media) m.density /= scale;
-  return s;
-}
-
-struct Difference {
-  double mean_ratio, relative_mae;
-};
-
-Difference difference(const Film& a, const Film& b, int spp) {
-  double sum_a = 0, sum_b = 0, absolute = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const double x = pixel_mean(a, i, spp).y, y = pixel_mean(b, i, spp).y;
-    sum_a += x;
-    sum_b += y;
-    absolute += std::abs(x - y);
-  }
-  return {sum_b / sum_a, absolute / sum_a};
-}
 
 constexpr int kSize = 64;
 
@@ -79,9 +50,9 @@ TEST(Invariance, UnitsAndPlaceDoNotShow) {
     const Film plain = render_film(scene, KernelKind::Auto, spp);
     for (const Case& c : cases) {
       const Film other =
-          render_film(rewritten(scene, c.scale, dvec3(c.shift, -c.shift, 0.5 * c.shift)),
+          render_film(in_other_units(scene, c.scale, dvec3(c.shift, -c.shift, 0.5 * c.shift)),
                       KernelKind::Auto, spp);
-      const Difference d = difference(plain, other, spp);
+      const PictureDifference d = picture_difference(plain, other, spp);
       fmt::print("{:<24} {:<14} mean ratio - 1 = {:+.2e}  relMAE {:.2e}\n", name, c.name,
                  d.mean_ratio - 1, d.relative_mae);
       EXPECT_LE(d.relative_mae, c.largest_mae) << name << " " << c.name;
@@ -95,7 +66,7 @@ TEST(Invariance, MeansAgreeBeyondChance) {
   Family family(0.01, 0);
   for (const auto& [name, scene] : scenes()) {
     const Estimate plain = measure_by_seeds(scene, KernelKind::Auto, 8, 32);
-    Scene other = rewritten(scene, 1e4, dvec3(1e5, 0, -1e5));
+    Scene other = in_other_units(scene, 1e4, dvec3(1e5, 0, -1e5));
     std::vector<dvec3> means;
     for (int seed = 0; seed < 32; ++seed) {
       other.render.seed = static_cast<std::uint32_t>(5000 + seed);
@@ -162,7 +133,7 @@ TEST(Invariance, TransformsEqualCoordinates) {
   for (const auto& [name, object_space, world_space] : pairs) {
     const Film a = render_film(room_with(assets, object_space, t), KernelKind::Auto, spp);
     const Film b = render_film(room_with(assets, world_space, {}), KernelKind::Auto, spp);
-    const Difference d = difference(a, b, spp);
+    const PictureDifference d = picture_difference(a, b, spp);
     fmt::print("{:<12} mean ratio - 1 = {:+.2e}  relMAE {:.2e}\n", name, d.mean_ratio - 1,
                d.relative_mae);
     EXPECT_LT(d.relative_mae, 1e-4) << name;
@@ -191,7 +162,7 @@ TEST(Invariance, NestedScalesCancel) {
     const Film a =
         render_film(room_with(assets, placed.shape, placed.transform), KernelKind::Auto, spp);
     const Film b = render_film(room_with(other, twice, half), KernelKind::Auto, spp);
-    const Difference d = difference(a, b, spp);
+    const PictureDifference d = picture_difference(a, b, spp);
     fmt::print("{:<18} mean ratio - 1 = {:+.2e}  relMAE {:.2e}\n", placed.name, d.mean_ratio - 1,
                d.relative_mae);
     EXPECT_LT(d.relative_mae, 1e-4) << placed.name;

@@ -1,10 +1,9 @@
 #pragma once
-// Rendering small pictures and reading means from them, without a session.
+// The kernels under test, and what their comparisons may cost.
 
 #include <ostream>
 
-#include "core/compile/render_scene.h"
-#include "core/film/film.h"
+#include "app/proof/measure.h"
 #include "tests/transport/statistics.h"
 
 namespace lightbench {
@@ -32,19 +31,5 @@ inline constexpr KernelUnderTest kFastKernel{KernelKind::Auto, kThinning, 1e-3 *
 inline constexpr KernelUnderTest kReferenceKernel{KernelKind::Reference, 8 * kThinning,
                                                   4e-3 * kCoarsening, 1e-7};
 std::ostream& operator<<(std::ostream& out, const KernelUnderTest& kernel);
-
-/// The whole picture with `spp` samples in every pixel, from sample number `first`.
-Film render_film(const RenderScene& scene, int spp, int first = 0);
-Film render_film(const Scene& scene, KernelKind kernel, int spp);
-
-/// Mean radiance of film pixel i, in double.
-glm::dvec3 pixel_mean(const Film& film, std::size_t i, int spp);
-
-/// For pictures that should show one radiance throughout: pixels scramble their sequences
-/// independently, so their means are independent estimates of it.
-Estimate measure_uniform(const Scene& scene, KernelKind kernel, int spp);
-
-/// Whole-picture mean over `seeds` renders with seeds of their own, for pictures that show more.
-Estimate measure_by_seeds(Scene scene, KernelKind kernel, int spp, int seeds);
 
 }  // namespace lightbench

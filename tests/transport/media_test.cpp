@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/proof/build_scene.h"
+#include "app/proof/closed_forms.h"
 #include "core/query/rays.h"
-#include "tests/transport/build_scene.h"
-#include "tests/transport/closed_forms.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {

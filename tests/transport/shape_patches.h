@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "app/proof/closed_forms.h"
 #include "core/scene/scene.h"
-#include "tests/transport/closed_forms.h"
 
 namespace lightbench {
 

@@ -9,40 +9,6 @@
 #include <numbers>
 
 namespace lightbench {
-namespace {
-
-/// Share of a normal distribution beyond +-z.
-double two_sided_tail(double z) { return std::erfc(z / std::numbers::sqrt2); }
-
-}  // namespace
-
-Estimate summarize(const std::vector<glm::dvec3>& replicates) {
-  const auto n = static_cast<double>(replicates.size());
-  Estimate e;
-  for (const glm::dvec3& r : replicates) e.mean += r / n;
-  glm::dvec3 squares(0);
-  for (const glm::dvec3& r : replicates) squares += (r - e.mean) * (r - e.mean);
-  for (int k = 0; k < 3; ++k) e.error[k] = std::sqrt(squares[k] / (n - 1) / n);
-  e.freedom = n - 1;
-  return e;
-}
-
-double equivalent_z(double t, double freedom) {
-  const double z =
-      std::sqrt(freedom * std::log1p(t * t / freedom)) * (8 * freedom + 1) / (8 * freedom + 3);
-  return std::copysign(z, t);
-}
-
-double sidak_limit(double level, std::size_t members) {
-  const double each = -std::expm1(std::log1p(-level) / static_cast<double>(members));
-  double low = 0, high = 40;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (two_sided_tail(middle) > each ? low : high) = middle;
-  }
-  return high;
-}
-
 void Family::add(const std::string& name, double expected, double mean, double error,
                  double freedom) {
   // What rounding may explain is taken off before the rest is judged as chance.

@@ -8,27 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/compile/render_scene.h"
+#include "app/proof/statistics.h"
 
 namespace lightbench {
-
-/// A mean per colour channel, the standard error of that mean, and its degrees of freedom.
-struct Estimate {
-  glm::dvec3 mean{0};
-  glm::dvec3 error{0};
-  double freedom = 0;
-};
-
-/// Mean and standard error of independent estimates of the same number.
-Estimate summarize(const std::vector<glm::dvec3>& replicates);
-
-/// The normal deviate that is as unlikely as Student's t at `freedom` (Wallace 1959, within 0.02
-/// for 8 degrees and more).
-double equivalent_z(double t, double freedom);
-
-/// Two-sided limit on |z| for each of `members` comparisons so that all stay within it in a share
-/// 1 - level of all families.
-double sidak_limit(double level, std::size_t members);
 
 inline constexpr double kFamilyLevel = 1e-3;
 

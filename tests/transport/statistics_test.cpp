@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/transport/build_scene.h"
+#include "app/proof/build_scene.h"
 #include "tests/transport/measure.h"
 
 namespace lightbench {
@@ -27,6 +27,46 @@ TEST(Statistics, StudentsTBecomesTheNormalDeviateOfTheSameTail) {
   EXPECT_NEAR(equivalent_z(4.0728, 15), 3.2905, 0.02);
   EXPECT_NEAR(equivalent_z(3.6335, 31), 3.2905, 0.02);
   EXPECT_NEAR(equivalent_z(-3.3, 1023), -3.2905, 0.01);
+}
+
+TEST(Statistics, StudentsTailsAreTheTablesOnes) {
+  EXPECT_NEAR(student_tail(12.7062, 1), 0.05, 1e-6);
+  EXPECT_NEAR(student_tail(-2.228139, 10), 0.05, 1e-7);
+  EXPECT_NEAR(student_tail(4.587, 10), 0.001, 1e-6);
+  EXPECT_NEAR(student_tail(1.959964, 1e7), 0.05, 1e-6);
+  EXPECT_EQ(student_tail(0, 5), 1);
+}
+
+TEST(Statistics, WelchsTestIsTheTextbooksOne) {
+  // Means 20 and 22, variances 1 and 4, of 10 and 20 values.
+  const Welch w = welch({20, std::sqrt(0.1), 9}, {22, std::sqrt(0.2), 19});
+  EXPECT_NEAR(w.t, -3.651484, 1e-6);
+  EXPECT_NEAR(w.freedom, 0.09 / (0.01 / 9 + 0.04 / 19), 1e-9);
+  EXPECT_NEAR(w.p, student_tail(-3.651484, w.freedom), 1e-8);
+}
+
+// Differences of means of unequal noise: p-values are uniform, and families of them are rejected as
+// often as stated.
+TEST(Statistics, PValuesOfEqualMeansAreUniform) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> quiet(1, 0.1), loud(1, 0.5);
+  int rejected = 0;
+  const int families = 1000;
+  for (int f = 0; f < families; ++f) {
+    std::vector<double> p;
+    for (int i = 0; i < 50; ++i) {
+      std::vector<double> a, b;
+      for (int k = 0; k < 12; ++k) a.push_back(quiet(engine));
+      for (int k = 0; k < 8; ++k) b.push_back(loud(engine));
+      p.push_back(welch(mean_of(a), mean_of(b)).p);
+    }
+    rejected += uniformity(p) < 0.01 ? 1 : 0;
+  }
+  // Ten expected; Poisson stays within 2 and 22 with probability 0.999.
+  EXPECT_GE(rejected, 2);
+  EXPECT_LE(rejected, 22);
+  EXPECT_LT(uniformity(std::vector<double>(50, 0.5)), 1e-6);
+  EXPECT_LT(uniformity({0.1, 0.2, NAN}), 1e-6);
 }
 
 TEST(Statistics, FamiliesOfTrueValuesFailAsOftenAsStated) {
