@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/proof/closed_forms.h"
 #include "core/scene/scene_io.h"
 #include "tests/transport/measure.h"
+#include "tests/transport/shape_patches.h"
 
 namespace lightbench {
 namespace {
@@ -27,6 +29,27 @@ double over_the_middle_of_a_rectangle() {
   return albedo / std::numbers::pi * 4 * corner;
 }
 
+constexpr double kLambert = 0.5 / std::numbers::pi;  // albedo over pi
+
+double tilted_disc() {
+  const Patch patch = disc_patch({-1, 2, 0.5}, {1, -1, -0.3}, 0.8, {});
+  return kLambert * 10 * patch_irradiance({}, {patch});
+}
+
+/// One scattering in a ball of radius 1, seen through its middle: the way in to t, then the way out
+/// in any direction, whose cosine with the radius is mu.
+double single_scattering() {
+  const double sigma = 0.8, albedo = 0.7;
+  const double scattered = integrate(0, 2, 400, [&](double t) {
+    const double r = std::abs(t - 1);
+    const double out = integrate(-1, 1, 400, [&](double mu) {
+      return 0.5 * std::exp(-sigma * (-r * mu + std::sqrt(1 - r * r * (1 - mu * mu))));
+    });
+    return albedo * sigma * std::exp(-sigma * t) * out;
+  });
+  return std::exp(-2 * sigma) + scattered;
+}
+
 const std::array kKnown{
     Known{"furnace", 0.5, {26, 26, 12, 12}},
     Known{"furnace", 1, {0, 0, 8, 8}},
@@ -37,6 +60,23 @@ const std::array kKnown{
     Known{"emissive-room", 2, {}},
     Known{"absorbing-slab", std::exp(-1.0), {}},
     Known{"fog-furnace", 1, {}},
+    Known{"triangle-light",
+          kLambert * 10 * polygon_irradiance({}, {{-1, 1.5, -0.5}, {1.5, 2, 0}, {-0.5, 2.5, 1}}),
+          {}},
+    Known{"tilted-disc-light", tilted_disc(), {}},
+    Known{"horizon-rectangle-light",
+          kLambert * 10 *
+              polygon_irradiance({}, {{-1, -0.5, -1}, {-1, 1, -1}, {-1, 1, 1}, {-1, -0.5, 1}}),
+          {}},
+    Known{"distant-light", 0.4, {}},
+    Known{"inside-emitting-sphere", 1, {}},
+    Known{"single-scattering", single_scattering(), {}},
+    Known{"mirror-image", 9, {}},
+    Known{"glass-image", 10 * 0.96 / 1.04, {}},
+    Known{"emitter-in-glass", 10 * 0.96 / 2.25, {}},
+    Known{"lens-blur", disc_share_beyond(0.1), {}},
+    Known{"motion-blur", 0.2, {}},
+    Known{"checker-average", 0.6, {}},
 };
 
 class ClosedFormScenes : public testing::TestWithParam<KernelUnderTest> {};
