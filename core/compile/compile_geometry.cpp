@@ -74,8 +74,9 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
                                                         const GeometryPart<T>* previous) {
   auto part = std::make_shared<GeometryPart<T>>();
   const std::vector<std::uint8_t>& roles = reach->roles;
-  const RenderSpace& space = reach->space;
+  const RenderSpace space{reach->center, unit_scale<T>(reach->farthest)};
   part->reach = reach;
+  part->space = space;
   const std::vector<Bounds> meshes = all_mesh_bounds(scene);
   std::vector<bool> mesh_used(scene.meshes.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {

@@ -1,8 +1,8 @@
 #include "core/compile/compile_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/compile/render_space.h"
 #include "core/scene/bounds.h"
 
 namespace lightbench {
@@ -15,7 +15,7 @@ std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh
   part->center = bounds.center();
   const glm::dvec3 size = bounds.size();
   const double extent = std::max({size.x, size.y, size.z});
-  if (extent > 0) part->scale = std::ldexp(1.0, -std::ilogb(extent));
+  part->scale = unit_scale<T>(extent);
 
   // Vertices as the kernel will hold them; the boxes contain exactly these.
   std::vector<glm::vec<3, T>> vertices(mesh->positions.size());

@@ -63,7 +63,7 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
     const Medium& m = scene.media[static_cast<std::size_t>(o.medium)];
     MediumView<T> view{};
     view.boundary = static_cast<std::uint32_t>(i);
-    view.sigma = static_cast<T>(m.density / geometry.reach->space.scale);
+    view.sigma = static_cast<T>(m.density / geometry.space.scale);
     for (int k = 0; k < 3; ++k) view.albedo[k] = static_cast<T>(m.albedo[k]);
     part->media.push_back(view);
   }
@@ -183,7 +183,7 @@ CameraView<T> compile_camera(const Scene& scene, const GeometryPart<T>& geometry
   const glm::dvec3 up = glm::cross(right, forward);
   const double half_height = std::tan(0.5 * glm::radians(c.vfov));
   const double half_width = half_height * r.width / r.height;
-  const glm::dvec3 origin = geometry.reach->space.to_render(c.look_from);
+  const glm::dvec3 origin = geometry.space.to_render(c.look_from);
   CameraView<T> v{};
   for (int k = 0; k < 3; ++k) {
     v.origin[k] = static_cast<T>(origin[k]);
@@ -191,8 +191,8 @@ CameraView<T> compile_camera(const Scene& scene, const GeometryPart<T>& geometry
     v.up[k] = static_cast<T>(up[k] * half_height);
     v.forward[k] = static_cast<T>(forward[k]);
   }
-  v.lens_radius = static_cast<T>(c.lens_radius * geometry.reach->space.scale);
-  v.focus_distance = static_cast<T>(c.focus_distance * geometry.reach->space.scale);
+  v.lens_radius = static_cast<T>(c.lens_radius * geometry.space.scale);
+  v.focus_distance = static_cast<T>(c.focus_distance * geometry.space.scale);
   v.moving = geometry.moving;
   v.filter_radius = static_cast<T>(r.filter_radius);
   v.filter = static_cast<std::uint32_t>(r.filter);

@@ -33,6 +33,7 @@ struct MeshPart {
 template <class T>
 struct GeometryPart {
   std::shared_ptr<const SceneReach> reach;
+  RenderSpace space;
   std::uint32_t surface_count = 0;
   bool moving = false;
   std::vector<std::uint32_t> kind, row;

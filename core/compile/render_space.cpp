@@ -2,33 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace lightbench {
 
-RenderSpace choose_render_space(std::span<const Bounds> objects) {
-  RenderSpace space;
-  Bounds all;
+glm::dvec3 middle_of(std::span<const Bounds> surfaces) {
+  glm::dvec3 middle(0);
   std::vector<glm::dvec3> centers;
-  for (const Bounds& b : objects) {
-    if (b.empty()) continue;
-    all.add(b);
-    centers.push_back(b.center());
+  for (const Bounds& b : surfaces) {
+    if (!b.empty()) centers.push_back(b.center());
   }
-  if (centers.empty()) return space;
+  if (centers.empty()) return middle;
   for (int k = 0; k < 3; ++k) {
-    const auto middle = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
-    std::nth_element(centers.begin(), middle, centers.end(),
+    const auto at = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
+    std::nth_element(centers.begin(), at, centers.end(),
                      [k](const glm::dvec3& a, const glm::dvec3& b) { return a[k] < b[k]; });
-    space.center[k] = (*middle)[k];
+    middle[k] = (*at)[k];
   }
-  double extent = 0;
-  for (int k = 0; k < 3; ++k) {
-    extent = std::max({extent, space.center[k] - all.min[k], all.max[k] - space.center[k]});
-  }
-  if (extent > 0 && std::isfinite(extent)) space.scale = std::ldexp(1.0, -std::ilogb(extent));
-  return space;
+  return middle;
 }
+
+template <class T>
+double unit_scale(double extent) {
+  if (!(extent > 0) || !std::isfinite(extent) || !std::isfinite(1 / extent)) return 1;
+  return std::is_same_v<T, float> ? 1 / extent : std::ldexp(1.0, -std::ilogb(extent));
+}
+template double unit_scale<float>(double);
+template double unit_scale<double>(double);
 
 glm::dmat4 to_render_space(const RenderSpace& space, const glm::dmat4& matrix) {
   glm::dmat4 r = matrix;

@@ -85,19 +85,18 @@ SceneReach measure_reach(const Scene& scene) {
       reach.smallest_object = object.name;
     }
   }
-  reach.space = choose_render_space(surfaces);
+  reach.center = middle_of(surfaces);
   for (const Bounds& b : surfaces) {
     if (b.empty()) continue;
-    reach.farthest =
-        std::max({reach.farthest, largest_component(glm::abs(b.min - reach.space.center)),
-                  largest_component(glm::abs(b.max - reach.space.center))});
+    reach.farthest = std::max({reach.farthest, largest_component(glm::abs(b.min - reach.center)),
+                               largest_component(glm::abs(b.max - reach.center))});
   }
   return reach;
 }
 
 double range_of(const SceneReach& reach, const Camera& camera) {
   if (!std::isfinite(reach.smallest)) return 1;
-  const double eye = largest_component(glm::abs(camera.look_from - reach.space.center));
+  const double eye = largest_component(glm::abs(camera.look_from - reach.center));
   return std::max(reach.farthest, eye) / reach.smallest;
 }
 

@@ -22,10 +22,10 @@ inline constexpr double kFloatRange = 16384;
 inline constexpr double kPlainRange = 64;
 
 struct SceneReach {
-  RenderSpace space;
+  glm::dvec3 center{0};                        ///< of render space
   double shutter_open = 0, shutter_close = 1;  ///< what moves was measured between these times
   std::vector<std::uint8_t> roles;             ///< of each object, see object_roles()
-  double farthest = 0;  ///< largest coordinate of a surface, from the middle of render space
+  double farthest = 0;                         ///< largest coordinate of a surface, from the center
   /// The smallest radius, height, thickness or altitude of any object; infinite without objects. Of
   /// a mesh its longest side: triangles live in a space of their own and share their vertices.
   double smallest = 0;

@@ -20,7 +20,7 @@ LightPoint from_kernel(const GeometryPart<T>& geometry, const KernelLightPoint& 
   if (!k.valid) return p;
   p.light = static_cast<int>(k.light);
   p.direction = vec(k.d);
-  p.distance = k.distance / geometry.reach->space.scale;
+  p.distance = k.distance / geometry.space.scale;
   p.normal = vec(k.n);
   p.pdf = k.pdf;
   p.selection = k.selection;
@@ -61,7 +61,7 @@ void sample_lights(const RenderScene& scene, std::span<const LightQuery> queries
         queries,
         [&](const LightQuery& q) {
           KernelLightQuery k{};
-          put(geometry.reach->space.to_render(q.point), k.p);
+          put(geometry.space.to_render(q.point), k.p);
           k.u[0] = q.u;
           k.u[1] = q.v;
           k.time = shutter_share(geometry, q.time);
@@ -87,7 +87,7 @@ void pdf_lights(const RenderScene& scene, std::span<const LightDirection> querie
         queries,
         [&](const LightDirection& q) {
           KernelLightDirection k{};
-          put(geometry.reach->space.to_render(q.point), k.p);
+          put(geometry.space.to_render(q.point), k.p);
           put(q.direction / safe_length(q.direction), k.d);
           k.time = shutter_share(geometry, q.time);
           k.light = kernel_light(q.light);

@@ -19,7 +19,7 @@ LightTry light_of(const GeometryPart<T>& geometry, const KernelPathVertex& k) {
   light.point.valid = k.light.valid;
   light.point.light = static_cast<int>(k.light.light);
   light.point.direction = vec(k.light.d);
-  light.point.distance = k.light.distance / geometry.reach->space.scale;
+  light.point.distance = k.light.distance / geometry.space.scale;
   light.point.normal = vec(k.light.n);
   light.point.pdf = k.light.pdf;
   light.point.selection = k.light.selection;
@@ -36,7 +36,7 @@ LightTry light_of(const GeometryPart<T>& geometry, const KernelPathVertex& k) {
 template <class T>
 PathVertex from_kernel(const KernelParts<T>& parts, const KernelPathVertex& k) {
   const GeometryPart<T>& geometry = *parts.geometry;
-  const RenderSpace& space = geometry.reach->space;
+  const RenderSpace& space = geometry.space;
   PathVertex v;
   v.origin = space.to_scene(vec(k.o));
   v.direction = vec(k.d);

@@ -14,7 +14,7 @@ constexpr double kFarthest = 1e30;
 /// Length in render space of the ray's unit of distance.
 template <class T>
 double unit_of(const GeometryPart<T>& geometry, const Ray& ray) {
-  return safe_length(ray.direction) * geometry.reach->space.scale;
+  return safe_length(ray.direction) * geometry.space.scale;
 }
 
 template <class T>
@@ -22,7 +22,7 @@ KernelRay to_kernel(const KernelParts<T>& parts, const Ray& ray) {
   const GeometryPart<T>& geometry = *parts.geometry;
   KernelRay k{};
   const glm::dvec3 d = ray.direction / safe_length(ray.direction);
-  glm::dvec3 o = to_render(geometry.reach->space, ray.origin, ray.origin_remainder);
+  glm::dvec3 o = to_render(geometry.space, ray.origin, ray.origin_remainder);
   const double unit = unit_of(geometry, ray);
   if (ray.t_min != 0) o += d * (ray.t_min * unit);
   put(o, k.o);
@@ -48,7 +48,7 @@ Hit from_kernel(const KernelParts<T>& parts, const Ray& ray, const KernelHit& k)
   Hit hit;
   hit.object = geometry.object[k.primitive];
   hit.t = ray.t_min + k.t / unit_of(geometry, ray);
-  to_scene(geometry.reach->space, vec(k.p), hit.position, hit.position_remainder);
+  to_scene(geometry.space, vec(k.p), hit.position, hit.position_remainder);
   hit.geometric_normal = vec(k.ng);
   hit.shading_normal = vec(k.ns);
   hit.tangent = vec(k.tangent);
@@ -103,14 +103,14 @@ Ray spawn(const RenderScene& scene, const Hit& hit, const glm::dvec3& direction,
   return with_kernel(scene, [&](const auto& kernel, const auto& parts) {
     const auto& geometry = *parts.geometry;
     KernelExit exit{};
-    put(to_render(geometry.reach->space, hit.position, hit.position_remainder), exit.p);
+    put(to_render(geometry.space, hit.position, hit.position_remainder), exit.p);
     put(hit.geometric_normal, exit.ng);
     exit.primitive = geometry.surface_of_object[static_cast<std::size_t>(hit.object)];
     exit.inside = glm::dot(direction, hit.geometric_normal) < 0;
     KernelPoint origin{};
     kernel.queries->leave(parts.view, {&exit, 1}, {&origin, 1});
     Ray ray;
-    to_scene(geometry.reach->space, vec(origin.p), ray.origin, ray.origin_remainder);
+    to_scene(geometry.space, vec(origin.p), ray.origin, ray.origin_remainder);
     ray.direction = direction;
     ray.time = time;
     ray.from = {hit.object, hit.triangle, exit.inside};
@@ -129,9 +129,9 @@ Ray as_traced(const RenderScene& scene, const Ray& ray) {
       o[a] = rounded(k.o[a]);
       seen.direction[a] = rounded(k.d[a]);
     }
-    to_scene(geometry.reach->space, o, seen.origin, seen.origin_remainder);
+    to_scene(geometry.space, o, seen.origin, seen.origin_remainder);
     seen.t_min = 0;
-    seen.t_max = rounded(k.t_max) / geometry.reach->space.scale;
+    seen.t_max = rounded(k.t_max) / geometry.space.scale;
     seen.time = shutter_time(geometry, rounded(k.time));
     return seen;
   });

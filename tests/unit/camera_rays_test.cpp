@@ -46,7 +46,7 @@ struct Compiled {
         parts(&std::get<KernelParts<T>>(scene->parts->kernel)) {}
   /// In scene units.
   [[nodiscard]] dvec3 origin(const test_reference::Ray& r) const {
-    return parts->geometry->reach->space.to_scene({r.o.x, r.o.y, r.o.z});
+    return parts->geometry->space.to_scene({r.o.x, r.o.y, r.o.z});
   }
   [[nodiscard]] test_reference::Ray ray(double x, double y, std::uint32_t sample = 0) const {
     return test_reference::camera_ray(parts->view.camera, x, y,

@@ -371,6 +371,9 @@ TEST(Compile, MovedOrScaledWorldsRenderAlike) {
   EXPECT_EQ(world(1024, {0, 0, 0}), expected);
   EXPECT_EQ(world(1.0 / 4096, {0, 0, 0}), expected);
   EXPECT_EQ(world(1, {64, -128, 4096}), expected);
+  // Float rounds the same numbers alike in any units (see unit_scale).
+  EXPECT_EQ(world(1e-4, {0, 0, 0}), expected);
+  EXPECT_EQ(world(25.4, {0, 0, 0}), expected);
 }
 
 TEST(Compile, CountsWhatItHolds) {

@@ -187,6 +187,21 @@ TEST(RayQueries, PointsCrossTheBorderUnchanged) {
   }
 }
 
+// Float kernels work at unit size, in which scene units are no round numbers: double has bits to
+// spare for the way there and back.
+TEST(RayQueries, FloatPointsCrossTheBorderAtAnyScaleUnchanged) {
+  Random random;
+  for (int i = 0; i < 20000; ++i) {
+    RenderSpace space;
+    space.scale = std::exp(random.between(-30, 30));
+    space.center = random.direction() * (std::exp(random.between(-20, 15)) / space.scale);
+    const glm::vec3 q(random.direction() * std::exp(random.between(-20, 2)));
+    dvec3 p, remainder;
+    to_scene(space, dvec3(q), p, remainder);
+    EXPECT_EQ(glm::vec3(to_render(space, p, remainder)), q);
+  }
+}
+
 TEST(RayQueries, AMeshNamesItsTriangle) {
   const Scene scene = stored_scene("features/instances.json");
   const auto compiled = compile(scene, KernelKind::Auto);
