@@ -114,6 +114,13 @@ std::vector<Test> stress_tests() {
   add_bsdf_tests(tests);
   add_tree_tests(tests);
   add_film_tests(tests);
+  add_contact_tests(tests);
+  add_room_tests(tests);
+  add_media_tests(tests);
+  add_glass_tests(tests);
+  add_blur_tests(tests);
+  add_picture_pair_tests(tests);
+  add_determinism_tests(tests);
   return tests;
 }
 

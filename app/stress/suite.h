@@ -122,5 +122,12 @@ void add_light_variance_tests(std::vector<Test>& tests);
 void add_bsdf_tests(std::vector<Test>& tests);
 void add_tree_tests(std::vector<Test>& tests);
 void add_film_tests(std::vector<Test>& tests);
+void add_contact_tests(std::vector<Test>& tests);
+void add_room_tests(std::vector<Test>& tests);
+void add_media_tests(std::vector<Test>& tests);
+void add_glass_tests(std::vector<Test>& tests);
+void add_blur_tests(std::vector<Test>& tests);
+void add_picture_pair_tests(std::vector<Test>& tests);
+void add_determinism_tests(std::vector<Test>& tests);
 
 }  // namespace lightbench::stress
