@@ -25,19 +25,22 @@ TiledPicture measure_tiles(Scene scene, KernelKind kernel, int spp, int seeds,
   for (int seed = 0; seed < seeds; ++seed) {
     scene.render.seed = first_seed + static_cast<std::uint32_t>(seed);
     const Film film = render_film(scene, kernel, spp);
-    const int rows = film.height() / kTile;
-    columns = film.width() / kTile;
-    tiles.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    const auto width = static_cast<std::size_t>(film.width());
+    const auto height = static_cast<std::size_t>(film.height());
+    const std::size_t across = width / kTile, down = height / kTile;
+    columns = static_cast<int>(across);
+    tiles.resize(across * down);
     for (auto& tile : tiles) tile.push_back(0);
     whole.push_back(0);
-    for (int y = 0; y < film.height(); ++y) {
-      for (int x = 0; x < film.width(); ++x) {
-        const glm::dvec3 c = pixel_mean(film, static_cast<std::size_t>(y * film.width() + x), spp);
+    for (std::size_t y = 0; y < height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) {
+        const glm::dvec3 c = pixel_mean(film, y * width + x, spp);
         const double value = c.x + c.y + c.z;
-        whole.back() += value / (film.width() * film.height());
-        if (x >= columns * kTile || y >= rows * kTile) continue;
-        tiles[static_cast<std::size_t>(y / kTile * columns + x / kTile)].back() +=
-            value / (kTile * kTile);
+        whole.back() += value / static_cast<double>(width * height);
+        const std::size_t column = x / kTile, row = y / kTile;
+        if (column < across && row < down) {
+          tiles[row * across + column].back() += value / (kTile * kTile);
+        }
       }
     }
   }
