@@ -77,25 +77,25 @@ KnownPicture matched(Random& random, Precision) {
   return known;
 }
 
-/// From within a plate close to the critical angle: n^2 (1 - F) (1 + F^2 + F^4 + ...) below it,
-/// nothing beyond.
+/// From within glass towards a face, close to the critical angle: n^2 (1 - F) below it, nothing
+/// beyond. What is reflected meets a black plate.
 KnownPicture critical(Random& random, Precision precision) {
   KnownPicture known;
   const double ior = random.between(1.1, 2.5), edge = std::asin(1 / ior);
   const double off = random.decade(-12, -1), angle = random.chance(0.5) ? edge - off : edge + off;
-  known.scene = wall_scene();
   Scene& s = known.scene;
-  add(s, BoxShape{{-1e4, -1e4, -1}, {1e4, 1e4, 1}}, glass(ior));
-  s.objects[0].shape = RectangleShape{{-1e7, -1e7, -3}, {2e7, 0, 0}, {0, 2e7, 0}};
-  aim(s, dvec3(0), {std::sin(angle), 0, -std::cos(angle)});
-  const auto seen = [&](double a) {
-    const double f = fresnel(std::cos(a), 1 / ior);
-    return f < 1 ? ior * ior / (1 + f) : 0;
-  };
+  s = dark_scene(16);
+  add(s, BoxShape{{-1e3, -1e3, -1}, {1e3, 1e3, 1}}, glass(ior));
+  add(s, RectangleShape{{-1e7, -1e7, -3}, {2e7, 0, 0}, {0, 2e7, 0}}, light(dvec3(1)));
+  add(s, RectangleShape{{-1e3, -1e3, 0.5}, {2e3, 0, 0}, {0, 2e3, 0}}, black());
+  // One ray exactly: the width of a pixel must not reach across the angle.
+  look(s, dvec3(0), {std::sin(angle), 0, -std::cos(angle)}, 1e-15);
+  const auto seen = [&](double a) { return ior * ior * (1 - fresnel(std::cos(a), 1 / ior)); };
   const double blur = 8 * rounding_of(precision);
   known.low = std::min(seen(angle + blur), seen(angle - blur));
   known.high = std::max(seen(angle + blur), seen(angle - blur));
-  known.what = fmt::format("from within index {:.9g}, {:.3g} {} the critical angle", ior, off,
+  known.unit = ior * ior;
+  known.what = fmt::format("from within index {:.17g}, {:.3g} {} the critical angle", ior, off,
                            angle < edge ? "below" : "beyond");
   return known;
 }
