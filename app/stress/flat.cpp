@@ -95,7 +95,21 @@ void judge(const RenderScene& scene, const Target& target, const Ray& ray,
   tallies[kScored].measure(static_cast<double>(std::max(error / unit, off)), text);
 }
 
-void add(std::vector<Test>& tests, const std::string& name, Target (*random_target)(Random&)) {
+enum class As { Itself, Mesh };
+
+std::shared_ptr<const RenderScene> compile_target(const Shape& shape, As as, const glm::dvec3& eye,
+                                                  KernelKind kernel) {
+  if (as == As::Itself) return compile_alone(shape, eye, kernel);
+  const auto& t = std::get<TriangleShape>(shape);
+  Scene scene = empty_scene();
+  scene.camera.look_from = eye;
+  scene.camera.look_at = eye + glm::dvec3(0, 0, -1);
+  add_mesh(scene, {{t.a, t.b, t.c}, {}, {}, {{0, 1, 2}}});
+  return compile(scene, kernel);
+}
+
+void add(std::vector<Test>& tests, const std::string& name, Target (*random_target)(Random&),
+         As as = As::Itself) {
   tests.push_back(
       {name,
        "slivers 10^U(-4,0), distance/size 10^U(0,7), grazing cos 10^U(-6,0), half of them within "
@@ -106,14 +120,14 @@ void add(std::vector<Test>& tests, const std::string& name, Target (*random_targ
        250'000,
        100'000'000,
        4096,
-       [random_target](KernelKind kernel) -> Chunk {
-         return [kernel, random_target](Random& random, std::uint64_t trials,
-                                        std::span<Tally> tallies) {
+       [random_target, as](KernelKind kernel) -> Chunk {
+         return [kernel, random_target, as](Random& random, std::uint64_t trials,
+                                            std::span<Tally> tallies) {
            for (std::uint64_t done = 0; done < trials; done += kRaysPerShape) {
              const Target target = random_target(random);
              const double far = random.decade(0, 7);
              const auto scene =
-                 compile_alone(target.shape, target.center + glm::dvec3(0, 0, far), kernel);
+                 compile_target(target.shape, as, target.center + glm::dvec3(0, 0, far), kernel);
              std::vector<Ray> rays(kRaysPerShape);
              const glm::dvec3 n = glm::normalize(glm::cross(target.u, target.v));
              for (Ray& ray : rays) {
@@ -135,7 +149,9 @@ void add(std::vector<Test>& tests, const std::string& name, Target (*random_targ
 void add_flat_tests(std::vector<Test>& tests) {
   add(tests, "disc", random_disc);
   add(tests, "rectangle", [](Random& random) { return random_parallelogram(random, false); });
-  add(tests, "triangle", [](Random& random) { return random_parallelogram(random, true); });
+  const auto triangle = [](Random& random) { return random_parallelogram(random, true); };
+  add(tests, "triangle", triangle);
+  add(tests, "triangle of a mesh", triangle, As::Mesh);
 }
 
 }  // namespace lightbench::stress

@@ -391,6 +391,34 @@ template <bool kShadow>
   hit = {load(t), load(primitive), load(slot), load(b1), load(b2)};
 }
 
+/// Distance and barycentrics of found hits on triangles, to the last bits. It comes after the
+/// choice of the nearest, which goes by what the tests gave: so it costs once per ray, not once per
+/// test.
+inline void refine_hits(const SceneView<T>& scene, const Ray& ray, NearestHit& hit) {
+  const auto of_kind = [&](PrimitiveKind kind) {
+    const auto k = static_cast<unsigned>(kind);
+    return hit.primitive >= Int(scene.kind_begin[k]) &&
+           hit.primitive < Int(scene.kind_begin[k + 1]);
+  };
+  const Mask meshes = of_kind(PrimitiveKind::Mesh);
+  const Mask triangles = meshes || of_kind(PrimitiveKind::Triangle);
+  if (none(triangles)) return;
+  for_each_distinct(hit.primitive, triangles, [&](std::uint32_t i, Mask m) {
+    const Row row{scene.rows + scene.row[i]};
+    TriangleHit h{hit.t, hit.b1, hit.b2, m};
+    if (static_cast<PrimitiveKind>(scene.kind[i]) == PrimitiveKind::Mesh) {
+      const Affine to_local = mesh_at(row).to_local;
+      h = refine_triangle(fetch_triangle(mesh_of(scene, i), hit.slot, m).vertices,
+                          to_local.point(ray.o), to_local.vector(ray.d), h);
+    } else {
+      h = refine_triangle(triangle_at(row), ray.o, ray.d, h);
+    }
+    hit.t = select(m, h.t, hit.t);
+    hit.b1 = select(m, h.b1, hit.b1);
+    hit.b2 = select(m, h.b2, hit.b2);
+  });
+}
+
 /// Surface of the hits on primitive i; meaningful in the active lanes, all of which hit it. Never
 /// inlined, like find_hits().
 [[gnu::noinline]] inline Surface surface_of(const SceneView<T>& scene, std::uint32_t i,

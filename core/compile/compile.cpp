@@ -62,6 +62,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.kind_begin[k] = static_cast<std::uint32_t>(std::lower_bound(g.kind.begin(), surfaces_end, k) -
                                                  g.kind.begin());
   }
+  const auto of_kind = [&v](PrimitiveKind kind) {
+    const auto k = static_cast<unsigned>(kind);
+    return v.kind_begin[k + 1] - v.kind_begin[k];
+  };
+  v.has_triangles = of_kind(PrimitiveKind::Triangle) + of_kind(PrimitiveKind::Mesh) > 0;
   v.row = g.row.data();
   v.rows = g.rows.data();
   v.offset = g.offset.data();

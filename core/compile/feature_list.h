@@ -16,6 +16,7 @@ std::vector<Feature> feature_list(const SceneView<T>& view) {
        tree ? "eight-wide tree over the objects" : "tiny scene: every primitive is tested"},
       {"refined hits", view.hit_quality == HitQuality::Refined,
        "closest approach of far rays to small round shapes"},
+      {"triangles", view.has_triangles, "refined distance and barycentrics of their hits"},
       {"motion", view.camera.moving, "rays carry a time"},
       {"lens", view.camera.lens_radius > T(0), "defocus blur"},
       {"lights", view.samples_lights, "next-event estimation"},

@@ -198,6 +198,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   counters.rays += static_cast<std::uint64_t>(__builtin_popcount(bits(alive)));
   NearestHit hit = no_hit(Real(kInfinity));
   find_hits<false>(scene, paths.ray, alive, hit);
+  if (scene.has_triangles) refine_hits(scene, paths.ray, hit);
   const Int dimension_base =
       paths.segments * Int(dimension::kPerVertex) + Int(dimension::kFirstVertex);
   paths.segments = select(alive, paths.segments + Int(1U), paths.segments);

@@ -122,6 +122,7 @@ struct SceneView {
   std::uint32_t seed = 0;
   T inverse_film_unit = 1;
 
+  bool has_triangles = false;  ///< single ones or meshes: their hits are refined
   bool has_mirror = false, has_fuzz = false, has_ggx = false, has_dielectric = false;
   bool has_lambertian = false;
   bool has_textures = false;  ///< base colour textures

@@ -88,6 +88,7 @@ inline void pdf_light_points(const SceneView<T>& scene,
       hit.b1 = select(alone, own.b1, hit.b1);
       hit.b2 = select(alone, own.b2, hit.b2);
     }
+    refine_hits(scene, ray, hit);
     const Mask met = batch.active() && hit.primitive != Int(kNoHit);
     Vertex v;
     find_surface(scene, ray, hit, met, v);

@@ -30,6 +30,7 @@ inline void trace_rays(const SceneView<T>& scene, std::span<const KernelRay> ray
     const Ray ray = load_rays(batch, rays);
     NearestHit hit = load_ends(batch, rays);
     find_hits<false>(scene, ray, batch.active(), hit);
+    refine_hits(scene, ray, hit);
     const Mask found = batch.active() && hit.primitive != Int(kNoHit);
     Surface s;
     s.p = s.ng = s.ns = Vec(Real(0));

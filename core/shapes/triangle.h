@@ -65,6 +65,31 @@ inline TriangleHit hit_triangle(const Triangle& s, const Ray& ray) {
                      shear.permute(s.c - ray.o), shear.sx, shear.sy, shear.sz);
 }
 
+/// Of the barycentrics, in one step. Larger ones are rounding themselves: the ray all but lies in
+/// the plane, and the hit stays what the edge functions made of it.
+inline constexpr T kLargestRefinement = T(0.25);
+
+/// One step of iterative refinement of an accepted hit (distance and barycentrics; the verdict
+/// stays). In a sliver the edge functions cancel: their point is in the plane, but slides along the
+/// long sides by many roundings. What remains between it and the ray's own point is small and known
+/// to the last bits, so solving for it (Möller, Trumbore, JGT 2:1, 1997) leaves the error of one
+/// rounding.
+inline TriangleHit refine_triangle(const Triangle& s, Vec o, Vec d, TriangleHit h) {
+  const Vec e1 = s.b - s.a, e2 = s.c - s.a;
+  const Vec rest = madd(d, h.t, o - s.a) - madd(e1, h.b1, e2 * h.b2);
+  const Vec p = cross(d, e2), q = cross(rest, e1);
+  const Real det = dot(e1, p);
+  const Real inverse = Real(1) / det;
+  const Real step1 = dot(rest, p) * inverse, step2 = dot(d, q) * inverse;
+  const Real t = fma(dot(e2, q), inverse, h.t);
+  const Mask good =
+      abs(step1) < Real(kLargestRefinement) && abs(step2) < Real(kLargestRefinement) && t > Real(0);
+  // Rounding can carry a hit at the border across it.
+  const Real b1 = clamp(h.b1 + step1, Real(0), Real(1));
+  const Real b2 = clamp(h.b2 + step2, Real(0), Real(1) - b1);
+  return {select(good, t, h.t), select(good, b1, h.b1), select(good, b2, h.b2), h.hit};
+}
+
 /// uv = barycentrics (b1, b2).
 inline Surface surface_triangle(const Triangle& s, Real b1, Real b2, Coordinates uv) {
   Surface r;

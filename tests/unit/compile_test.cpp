@@ -261,6 +261,7 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
        [](S s) {
          s.objects[0].shape = SphereShape{{0, 0, 0}, 1, {1, 0, 0}};
        }},
+      {"triangles", [](S s) { s.objects[0].shape = TriangleShape{}; }},
       {"lens", [](S s) { s.camera.lens_radius = 0.1; }},
       {"lights", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
       {"environment", [](S s) { s.environment.color = glm::dvec3(1); }},
