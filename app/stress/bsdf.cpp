@@ -34,7 +34,7 @@ Surface random_surface(Random& random, Lobe lobe, KernelKind kernel) {
                ? MaterialKind::Lambertian
                : (lobe == Lobe::Glass ? MaterialKind::Dielectric : MaterialKind::Metal);
   if (lobe == Lobe::Fuzz) m.fuzz = random.decade(-3, 0);
-  if (lobe == Lobe::Ggx) m.roughness = random.decade(-1.5, 0);  // alpha from 1e-3
+  if (lobe == Lobe::Ggx) m.roughness = random.decade(-2, 0);  // alpha from 1e-4
   if (lobe == Lobe::Glass) m.ior = random.decade(-0.4, 0.4);
   Scene scene = empty_scene();
   m.name = "tested";
@@ -97,7 +97,7 @@ double reflected_share(const Surface& s, BsdfQuery q) {
 void add_energy(std::vector<Test>& tests) {
   tests.push_back(
       {"material energy",
-       "white Lambertian, mirror, fuzz 10^U(-3,0), GGX alpha 10^U(-3,0), glass of index "
+       "white Lambertian, mirror, fuzz 10^U(-3,0), GGX alpha 10^U(-4,0), glass of index "
        "10^U(-.4,.4); cos 10^U(-4,0), both sides; 1024 samples each",
        {{"material, energy gained", "reflected share - 1", 1e-3, 1e-3},
         {"Lambertian, mirror and glass, energy lost", "1 - reflected share", 1e-3, 1e-3}},
@@ -125,7 +125,7 @@ void add_energy(std::vector<Test>& tests) {
 void add_reciprocity(std::vector<Test>& tests) {
   tests.push_back(
       {"material reciprocity",
-       "Lambertian and GGX alpha 10^U(-3,0); both directions at cos 10^U(-4,0), or for GGX near "
+       "Lambertian and GGX alpha 10^U(-4,0); both directions at cos 10^U(-4,0), or for GGX near "
        "the mirror direction",
        {{"material, reciprocity", "relative error * min(1, alpha * cos)", 1e-12, 2e-5}},
        100'000,

@@ -115,7 +115,7 @@ KnownPicture draw_glass(Random& random, Precision precision) {
 
 }  // namespace
 
-void add_glass_tests(std::vector<Test>& tests) {
+void add_glass_picture_tests(std::vector<Test>& tests) {
   add_known_pictures(tests, "glass",
                      "plates of index 1.0001 to 2.5 at 0 to 85 degrees, hollow balls, glass that "
                      "matches what is around it, and 10^U(-12,-1) on either side of the critical "

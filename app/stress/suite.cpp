@@ -8,6 +8,8 @@
 #include <mutex>
 #include <thread>
 
+#include "core/statistics/chi_square.h"
+
 namespace lightbench::stress {
 namespace {
 
@@ -21,7 +23,10 @@ bool wanted(const Test& test, const std::string& filter) {
                      [&](const Line& line) { return contains(line.name, filter); });
 }
 
-double limit_of(const Line& line, const Subject& subject) {
+double limit_of(const Line& line, const Subject& subject, std::uint64_t trials) {
+  if (line.significance > 0) {
+    return -std::log10(statistics::sidak(line.significance, std::max<std::uint64_t>(trials, 1)));
+  }
   return subject.strict ? line.limit_double : line.limit_auto;
 }
 
@@ -52,8 +57,12 @@ void for_each_on_threads(std::uint64_t begin, std::uint64_t end, int threads, F 
   if (error) std::rethrow_exception(error);
 }
 
+std::uint64_t trials_of(const Test& test, const SuiteOptions& options) {
+  return options.long_form ? test.long_trials : test.short_trials;
+}
+
 std::vector<Tally> run_test(const Test& test, const SuiteOptions& options, const Subject& subject) {
-  const std::uint64_t trials = options.long_form ? test.long_trials : test.short_trials;
+  const std::uint64_t trials = trials_of(test, options);
   const std::uint64_t chunks = (trials + test.chunk - 1) / test.chunk;
   std::uint64_t begin = 0, end = chunks;
   if (options.chunk >= 0) {
@@ -62,7 +71,8 @@ std::vector<Tally> run_test(const Test& test, const SuiteOptions& options, const
   }
   const auto empty = [&](std::uint64_t chunk) {
     std::vector<Tally> tallies;
-    for (const Line& line : test.lines) tallies.emplace_back(limit_of(line, subject), chunk);
+    for (const Line& line : test.lines)
+      tallies.emplace_back(limit_of(line, subject, trials), chunk);
     return tallies;
   };
   const Chunk run = test.prepare(subject.kernel);
@@ -102,6 +112,7 @@ bool LineResult::passed() const {
 
 std::vector<Test> stress_tests() {
   std::vector<Test> tests;
+  add_arithmetic_tests(tests);
   add_sphere_tests(tests);
   add_cylinder_tests(tests);
   add_flat_tests(tests);
@@ -112,15 +123,22 @@ std::vector<Test> stress_tests() {
   add_light_tests(tests);
   add_light_variance_tests(tests);
   add_bsdf_tests(tests);
+  add_furnace_tests(tests);
+  add_glass_tests(tests);
+  add_chi_square_tests(tests);
+  add_path_chi_square_tests(tests);
+  add_warp_tests(tests);
+  add_sequence_tests(tests);
   add_tree_tests(tests);
   add_film_tests(tests);
   add_contact_tests(tests);
   add_room_tests(tests);
   add_media_tests(tests);
-  add_glass_tests(tests);
+  add_glass_picture_tests(tests);
   add_blur_tests(tests);
   add_picture_pair_tests(tests);
   add_determinism_tests(tests);
+  add_degenerate_tests(tests);
   return tests;
 }
 
@@ -136,8 +154,8 @@ void run_suite(const std::vector<Test>& tests, const SuiteOptions& options,
         const Line& line = test.lines[k];
         if (!contains(test.name, options.filter) && !contains(line.name, options.filter)) continue;
         const double allowed = subject.strict ? 0 : line.allowed_auto;
-        report({&test, &line, &subject, limit_of(line, subject), allowed, tallies[k],
-                seconds.count()});
+        const double limit = limit_of(line, subject, trials_of(test, options));
+        report({&test, &line, &subject, limit, allowed, tallies[k], seconds.count()});
       }
     }
   }

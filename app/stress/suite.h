@@ -27,6 +27,9 @@ struct Line {
   double limit_auto = kNoLimit;    ///< ... and in the one that compile() picks
   /// Share of the trials that may fail in the kernel that compile() picks; none in double.
   double allowed_auto = 0;
+  /// Above 0: the measure is -log10 of a p-value, and its limit the one that gives all trials of
+  /// the line together this significance (Sidak).
+  double significance = 0;
 };
 
 /// What the trials of a line came to.
@@ -125,9 +128,17 @@ void add_film_tests(std::vector<Test>& tests);
 void add_contact_tests(std::vector<Test>& tests);
 void add_room_tests(std::vector<Test>& tests);
 void add_media_tests(std::vector<Test>& tests);
-void add_glass_tests(std::vector<Test>& tests);
+void add_glass_picture_tests(std::vector<Test>& tests);
 void add_blur_tests(std::vector<Test>& tests);
 void add_picture_pair_tests(std::vector<Test>& tests);
 void add_determinism_tests(std::vector<Test>& tests);
+void add_arithmetic_tests(std::vector<Test>& tests);
+void add_glass_tests(std::vector<Test>& tests);
+void add_furnace_tests(std::vector<Test>& tests);
+void add_chi_square_tests(std::vector<Test>& tests);
+void add_path_chi_square_tests(std::vector<Test>& tests);
+void add_warp_tests(std::vector<Test>& tests);
+void add_sequence_tests(std::vector<Test>& tests);
+void add_degenerate_tests(std::vector<Test>& tests);
 
 }  // namespace lightbench::stress

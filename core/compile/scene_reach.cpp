@@ -46,7 +46,9 @@ struct SmallestFeature {
   double operator()(const BoxShape& s) const { return smallest_component(s.max - s.min); }
   double operator()(const MeshShape& s) const {
     const Bounds& b = meshes[static_cast<std::size_t>(s.mesh)];
-    return b.empty() ? std::numeric_limits<double>::infinity() : largest_component(b.size());
+    const double size = b.empty() ? 0 : largest_component(b.size());
+    // A mesh of one point, or of none, shows nothing that precision could keep.
+    return size > 0 ? size : std::numeric_limits<double>::infinity();
   }
 };
 

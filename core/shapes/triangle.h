@@ -33,7 +33,17 @@ inline TriangleHit hit_sheared(Vec a, Vec b, Vec c, Real sx, Real sy, Real sz) {
   const Mask all_positive = u >= Real(0) && v >= Real(0) && w >= Real(0);
   const Mask all_negative = u <= Real(0) && v <= Real(0) && w <= Real(0);
   const Real det = u + v + w;
-  const Mask hit = (all_positive || all_negative) && det != Real(0);
+  Mask hit = (all_positive || all_negative) && det != Real(0);
+  // Rounding keeps the order of the two products, so an edge function can lose its sign but not
+  // change it: a triangle that holds the ray is never lost, and one that does not is found only
+  // where a function is 0. Seen edge-on two of them can be, however far beside the ray it lies.
+  const Mask doubtful = hit && (u == Real(0) || v == Real(0) || w == Real(0));
+  if (any(doubtful)) {
+    const auto around = [](Real p, Real q, Real r) {
+      return min(p, min(q, r)) <= Real(0) && max(p, max(q, r)) >= Real(0);
+    };
+    hit = hit && (!doubtful || (around(ax, bx, cx) && around(ay, by, cy)));
+  }
   const Real inverse = Real(1) / select(hit, det, Real(1));
   const Real t = (u * (sz * a.z) + v * (sz * b.z) + w * (sz * c.z)) * inverse;
   return {t, v * inverse, w * inverse, hit};

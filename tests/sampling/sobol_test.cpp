@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/sampling/chi_square.h"
+#include "core/statistics/chi_square.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 

@@ -1,4 +1,4 @@
-#include "tests/sampling/chi_square.h"
+#include "core/statistics/chi_square.h"
 
 #include <cmath>
 #include <limits>

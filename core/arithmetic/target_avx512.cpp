@@ -1,0 +1,2 @@
+#define ARITHMETIC_TARGET avx512
+#include "core/arithmetic/checks.inc"

@@ -1,0 +1,2 @@
+#define ARITHMETIC_TARGET baseline
+#include "core/arithmetic/checks.inc"

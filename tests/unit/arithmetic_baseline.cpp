@@ -1,2 +1,0 @@
-#define ARITHMETIC_TARGET baseline
-#include "tests/unit/arithmetic_checks.inc"
