@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "core/query/path.h"
 #include "core/scene/scene_io.h"
@@ -104,6 +105,39 @@ TEST(DroppedSamples, AreCountedByCauseAndNamedWhateverTheOrder) {
     EXPECT_EQ(c.bad_fault, Fault::NotANumber);
   }
   EXPECT_EQ(a.bad.x, 7) << "row by row: y decides before x";
+}
+
+TEST(DroppedSamples, OfEveryCauseAreNamedByRenderingAndShownByTheirPath) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const std::pair<glm::dvec3, Fault> cases[] = {{{0.5, kNan, 0.5}, Fault::NotANumber},
+                                                {{0.5, 0.5, kInf}, Fault::Infinite},
+                                                {{-0.5, 0.5, 0.5}, Fault::Negative}};
+  for (const auto& [color, fault] : cases) {
+    // No file can say this: validate() would refuse it.
+    Scene scene;
+    scene.render.width = 3;
+    scene.render.height = 2;
+    scene.environment.color = color;
+    for (const KernelKind kind : {KernelKind::Auto, KernelKind::Scalar, KernelKind::Reference}) {
+      const auto compiled = compile(scene, kind);
+      Film film(3, 2, 1.0);
+      Counters counters;
+      render(*compiled, {1, 1, 3, 2, 5, 4, 1}, film.view(), counters);
+      EXPECT_EQ(counters.non_finite, 8U);
+      EXPECT_EQ(counters.faults[static_cast<int>(fault)], 8U) << fault_name(fault);
+      EXPECT_EQ(counters.bad_fault, fault);
+      EXPECT_EQ(counters.bad.x, 1);
+      EXPECT_EQ(counters.bad.y, 1);
+      EXPECT_EQ(counters.bad.sample, 5U);
+      for (const FilmPixel& sum : film.pixels()) {
+        EXPECT_EQ(sum.r | sum.g | sum.b | sum.luminance_squared, 0) << "nothing of it is added";
+      }
+      const PathRecord path = trace_path(*compiled, counters.bad);
+      ASSERT_TRUE(path.fault.has_value()) << fault_name(fault);
+      EXPECT_EQ(*path.fault, fault);
+    }
+  }
 }
 
 }  // namespace
