@@ -220,5 +220,30 @@ TEST(Panels, ExposureAndToneMapKeepTheRender) {
   EXPECT_NE(interface.screen(), before);
 }
 
+TEST(Panels, StatisticsNameTheFirstDroppedSampleAndCopyTheCommandThatShowsIt) {
+  Scene scene = small_scene();
+  scene.materials[0].emissive = glm::dvec3(0);
+  scene.environment.color = {1, 1, -1};  // no file can say this
+  scene.objects.clear();
+  scene.render.seed = 7;
+  Interface interface(scene, small_scene_file());
+  ASSERT_TRUE(interface.wait([&] { return interface.bench().status.counters.non_finite > 0; }));
+  const Counters counters = interface.bench().status.counters;
+  EXPECT_EQ(counters.bad_fault, Fault::Negative);
+  std::string copied;
+  interface.run([&](ImGuiTestContext* ctx) {
+    ctx->WindowFocus("//Statistics");
+    ctx->ItemClick("//Statistics/Copy replay command");
+    const char* text = ImGui::GetClipboardText();  // the test engine's own
+    if (text != nullptr) copied = text;
+  });
+  EXPECT_NE(copied.find("--seed 7"), std::string::npos) << copied;
+  const auto& bad = counters.bad;
+  EXPECT_NE(copied.find("--debug-sample " + std::to_string(bad.x) + "," + std::to_string(bad.y) +
+                        "," + std::to_string(bad.sample)),
+            std::string::npos)
+      << copied;
+}
+
 }  // namespace
 }  // namespace lightbench::ui
