@@ -152,7 +152,8 @@ struct Quadrature {
   void add_cell(const Case& c, const Chart& chart, std::size_t cell, int fine) {
     for (int i = 0; i < fine; ++i) {
       for (int k = 0; k < fine; ++k) {
-        const double a = (static_cast<double>(cell / kCells) + (i + 0.5) / fine) / kCells;
+        const std::size_t row = cell / kCells;
+        const double a = (static_cast<double>(row) + (i + 0.5) / fine) / kCells;
         const double b = (static_cast<double>(cell % kCells) + (k + 0.5) / fine) / kCells;
         double stretch = 0;
         const dvec3 wi = chart.direction(a, b, stretch);

@@ -62,7 +62,8 @@ glm::dvec2 filter_position(const PathVertex& v, const SampleName& name, double r
   const double t = (kFocus + v.origin.z) / -v.direction.z;
   const double x = (v.origin.x + t * v.direction.x) / kFocus;
   const double y = (v.origin.y + t * v.direction.y) / kFocus;
-  return glm::dvec2((x + 1) * (kSide / 2) - name.x - 0.5, (1 - y) * (kSide / 2) - name.y - 0.5) /
+  return glm::dvec2((x + 1) * (0.5 * kSide) - name.x - 0.5,
+                    (1 - y) * (0.5 * kSide) - name.y - 0.5) /
          radius;
 }
 

@@ -1,5 +1,7 @@
 #include "core/arithmetic/checks.h"
 
+#include "core/compile/render_scene.h"
+
 namespace lightbench::arithmetic {
 
 std::vector<Check> all_supported() {
@@ -9,8 +11,8 @@ std::vector<Check> all_supported() {
   };
   add("any processor", baseline());
 #ifdef LIGHTBENCH_X86
-  if (__builtin_cpu_supports("x86-64-v3") != 0) add("avx2", avx2());
-  if (__builtin_cpu_supports("x86-64-v4") != 0) add("avx512", avx512());
+  if (kernel_supported(KernelKind::Avx2)) add("avx2", avx2());
+  if (kernel_supported(KernelKind::Avx512)) add("avx512", avx512());
 #endif
   return all;
 }
