@@ -1,6 +1,7 @@
 #include "core/compile/shape_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -53,6 +54,30 @@ double ellipsoid_area(const dmat3& m) {
   return 4 * kPi * std::pow((a * b + b * c + c * a) / 3, 1 / p);
 }
 
+/// Axes (unit, the longest first) and squared semi-axes of the unit sphere's image under m: the
+/// eigenvectors and values of m m^T, by Jacobi's rotations.
+void append_principal_axes(std::vector<double>& row, const dmat3& m) {
+  dmat3 axes(1), a = m * glm::transpose(m);
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (a[p][q] == 0) continue;
+        const double angle = 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
+        dmat3 turn(1);
+        turn[p][p] = turn[q][q] = std::cos(angle);
+        turn[q][p] = std::sin(angle);
+        turn[p][q] = -turn[q][p];
+        a = glm::transpose(turn) * a * turn;
+        axes = axes * turn;
+      }
+    }
+  }
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int i, int k) { return a[i][i] > a[k][k]; });
+  for (const int i : order) append(row, normalize(axes[i]));
+  for (const int i : order) row.push_back(a[i][i]);
+}
+
 ShapeRow row_of(const SphereShape& s, const Map& map, double open, double close) {
   ShapeRow r;
   const dvec3 center = map.point(s.center + open * s.motion);
@@ -73,7 +98,7 @@ ShapeRow row_of(const SphereShape& s, const Map& map, double open, double close)
   append_affine(r.numbers, glm::inverse(unit));
   append_affine(r.numbers, unit);
   append(r.numbers, motion);
-  r.numbers.push_back(std::abs(glm::determinant(dmat3(unit))));
+  append_principal_axes(r.numbers, dmat3(unit));
   r.area = ellipsoid_area(dmat3(unit));
   return r;
 }
@@ -166,18 +191,15 @@ ShapeRow row_of(const PyramidShape& s, const Map& map) {
   dvec3 a = v[1] - v[0], b = v[2] - v[0], c = v[3] - v[0];
   if (dot(a, cross(b, c)) < 0) std::swap(b, c);
   const dvec3 face[4] = {cross(b - a, c - a), cross(c, b), cross(a, c), cross(b, a)};
-  double area[4], total = 0;
-  for (int i = 0; i < 4; ++i) total += area[i] = 0.5 * length(face[i]);
   append(r.numbers, v[0]);
   append(r.numbers, a);
   append(r.numbers, b);
   append(r.numbers, c);
-  for (const dvec3& n : face) append(r.numbers, normalize(n));
+  for (const dvec3& n : face) {
+    append(r.numbers, normalize(n));
+    r.area += 0.5 * length(n);
+  }
   r.numbers.push_back(dot(normalize(face[0]), a));
-  r.numbers.push_back(area[0] / total);
-  r.numbers.push_back((area[0] + area[1]) / total);
-  r.numbers.push_back((area[0] + area[1] + area[2]) / total);
-  r.area = total;
   return r;
 }
 

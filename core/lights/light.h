@@ -50,7 +50,7 @@ inline LightSample sample_light_of(const SceneView<T>& scene, std::uint32_t i, I
     case PrimitiveKind::Sphere:
       return sample_sphere(sphere_at(row, time), from, u);
     case PrimitiveKind::Ellipsoid:
-      return sample_ellipsoid(ellipsoid_at(row, time), from, u);
+      return sample_ellipsoid(ellipsoid_at(row, time), axes_of_ellipsoid(row), from, u);
     case PrimitiveKind::Cylinder:
       return sample_cylinder(cylinder_at(row), from, u);
     case PrimitiveKind::EllipticCylinder:
@@ -74,34 +74,34 @@ inline LightSample sample_light_of(const SceneView<T>& scene, std::uint32_t i, I
   return s;
 }
 
-/// Density with which sample_light_of() would choose the direction d, which meets that light at
-/// distance t with outward normal n.
+/// Density with which sample_light_of() would choose the direction d, which meets that light where
+/// its outward normal is n.
 inline Real pdf_light_of(const SceneView<T>& scene, std::uint32_t i, Int slot, Vec from, Real time,
-                         Vec d, Real t, Vec n, Mask active) {
+                         Vec d, Vec n, Mask active) {
   const Row row{scene.rows + scene.row[i]};
   switch (static_cast<PrimitiveKind>(scene.kind[i])) {
     case PrimitiveKind::Sphere:
-      return pdf_sphere(sphere_at(row, time), from, d, t, n);
+      return pdf_sphere(sphere_at(row, time), from);
     case PrimitiveKind::Ellipsoid:
-      return pdf_ellipsoid(ellipsoid_at(row, time), from, d, t, n);
+      return pdf_ellipsoid(ellipsoid_at(row, time), axes_of_ellipsoid(row), from, d);
     case PrimitiveKind::Cylinder:
-      return pdf_cylinder(cylinder_at(row), d, t, n);
+      return pdf_cylinder(cylinder_at(row), from, d, n);
     case PrimitiveKind::EllipticCylinder:
-      return pdf_elliptic_cylinder(elliptic_cylinder_at(row), d, t, n);
+      return pdf_elliptic_cylinder(elliptic_cylinder_at(row), from, d, n);
     case PrimitiveKind::Disc:
-      return pdf_disc(disc_at(row), from, d, t);
+      return pdf_disc(disc_at(row), from, d);
     case PrimitiveKind::Rectangle:
-      return pdf_rectangle(rectangle_at(row), from, d, t);
+      return pdf_rectangle(rectangle_at(row), from);
     case PrimitiveKind::Triangle:
-      return pdf_triangle(triangle_at(row), from, d, t);
+      return pdf_triangle(triangle_at(row), from);
     case PrimitiveKind::Pyramid:
-      return pdf_pyramid(pyramid_at(row), d, t, n);
+      return pdf_pyramid(pyramid_at(row), from);
     case PrimitiveKind::Box:
-      return pdf_box(box_at(row), d, t, n);
+      return pdf_box(box_at(row), from);
     case PrimitiveKind::Mesh:
       break;
   }
-  return pdf_triangle(mesh_light(scene, i, slot, active).triangle, from, d, t);
+  return pdf_triangle(mesh_light(scene, i, slot, active).triangle, from);
 }
 
 /// Each active lane's own light; valid only there.
@@ -121,10 +121,10 @@ inline LightSample sample_light(const SceneView<T>& scene, LightPlace place, Vec
 
 /// 0 where !active.
 inline Real pdf_light(const SceneView<T>& scene, LightPlace place, Vec from, Real time, Vec d,
-                      Real t, Vec n, Mask active) {
+                      Vec n, Mask active) {
   Real pdf(0);
   for_each_distinct(place.primitive, active, [&](std::uint32_t i, Mask m) {
-    pdf = select(m, pdf_light_of(scene, i, place.slot, from, time, d, t, n, m), pdf);
+    pdf = select(m, pdf_light_of(scene, i, place.slot, from, time, d, n, m), pdf);
   });
   return pdf;
 }

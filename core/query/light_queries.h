@@ -7,10 +7,6 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-inline Ray free_ray(Vec o, Vec d, Real time) {
-  return {o, d, time, Int(kNoHit), Int(kNoHit), Mask(false), Int(kNoHit), Int(kNoHit), Mask(false)};
-}
-
 inline void put_light_points(const Batch& batch, const SceneView<T>& scene, Mask valid, Int light,
                              const LightSample& s, Vec radiance,
                              std::span<KernelLightPoint> points) {
@@ -40,7 +36,7 @@ inline void sample_light_points(const SceneView<T>& scene,
     const Int light = select(named == Int(kNoLight), choose_light(scene, choice).light, named);
     const LightPlace place = place_of(scene, light);
     const LightSample s = sample_light(scene, place, from, time, u, batch.active());
-    const Vec radiance = light_radiance(scene, place, s, free_ray(from, s.d, time));
+    const Vec radiance = light_radiance(scene, place, s, probe_ray(from, s.d, time));
     put_light_points(batch, scene, s.valid && batch.active(), light, s, radiance, points);
   });
 }
@@ -71,9 +67,9 @@ inline void pdf_light_points(const SceneView<T>& scene,
                              std::span<const KernelLightDirection> queries,
                              std::span<KernelLightPoint> points) {
   for_each_batch(queries.size(), [&](const Batch& batch) {
-    const Ray ray = free_ray(batch.vec([&](std::size_t i) { return queries[i].p; }),
-                             batch.vec([&](std::size_t i) { return queries[i].d; }),
-                             batch.real([&](std::size_t i) { return queries[i].time; }));
+    const Ray ray = probe_ray(batch.vec([&](std::size_t i) { return queries[i].p; }),
+                              batch.vec([&](std::size_t i) { return queries[i].d; }),
+                              batch.real([&](std::size_t i) { return queries[i].time; }));
     const Int named = batch.integer([&](std::size_t i) { return queries[i].light; });
     const Mask nearest = batch.active() && named == Int(kNoLight);
     const Mask alone = batch.active() && !nearest;
@@ -94,8 +90,8 @@ inline void pdf_light_points(const SceneView<T>& scene,
     find_surface(scene, ray, hit, met, v);
     const auto [light, valid] = light_of(scene, hit, met);
     LightSample s{ray.d, v.surface.ng, hit.t, Real(0), valid};
-    s.pdf = pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, hit.t, v.surface.ng,
-                      valid);
+    s.pdf =
+        pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, v.surface.ng, valid);
     const Mask bright = valid && (dot(ray.d, v.surface.ng) < Real(0) || v.material.two_sided);
     put_light_points(batch, scene, valid, light, s,
                      select(bright, v.material.emission, Vec(Real(0))), points);

@@ -1,48 +1,63 @@
 #pragma once
-// Uniform sampling of the solid angle of a triangle (Arvo 1995, in the form of PBR 4th ed. A.5.4),
-// with the solid angle from edges (van Oosterom & Strackee 1983), which stays precise at any
-// distance.
+// Uniform sampling of the solid angle of a triangle, at any distance and up to the full half space.
+// The solid angle comes from edges (van Oosterom & Strackee 1983), which keeps it precise from
+// afar.
+//
+// The map is Arvo's (1995) in half-angle form. A fan of great circles turns around the vertex p,
+// from q towards r; S is half the solid angle that it has swept. With the arc c = pq and the angle
+// A at q, the fan has turned by B and its rim is the arc a from p, where
+//
+//   cot(B - S) = (tan^2(c/2) sin(A - S) - sin S cos A) / (sin S sin A)
+//   tan(a/2)   = sin S / (tan(c/2) sin(B - S))
+//
+// (L'Huilier's half-side formulas, solved for B). Nothing here cancels: not for small triangles,
+// where S is the square of c, nor for the full half space, where A, B and S approach pi together.
 
 #include "core/sampling/warp.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// a, b, c relative to the reference point; e1 = b - a and e2 = c - a from the original vertices.
-inline Real triangle_solid_angle(Vec a, Vec b, Vec c, Vec e1, Vec e2) {
-  const Real la = length(a), lb = length(b), lc = length(c);
-  const Real numerator = abs(dot(a, cross(e1, e2)));
-  const Real denominator = fma(dot(b, c), la, fma(dot(a, c), lb, fma(dot(a, b), lc, la * lb * lc)));
-  return T(2) * atan2(numerator, denominator);
+/// Half the solid angle (0 to pi) of the triangle a, b, c relative to the viewpoint; la, lb, lc are
+/// their lengths and `determinant` is |a . (b - a) x (c - a)|, from the original edges.
+inline Real half_solid_angle(Vec a, Vec b, Vec c, Real la, Real lb, Real lc, Real determinant) {
+  const Real rest = fma(dot(b, c), la, fma(dot(a, c), lb, fma(dot(a, b), lc, la * lb * lc)));
+  return atan2(determinant, rest);
 }
 
-/// Unit direction; pdf 1 / solid_angle. The vertices need not be unit.
-inline Vec sample_spherical_triangle(Vec a, Vec b, Vec c, Real solid_angle, Vec2 u) {
-  a = normalize(a);
-  b = normalize(b);
-  c = normalize(c);
-  const Vec nab = normalize(cross(a, b)), nca = normalize(cross(c, a));
-  const Real cos_alpha = clamp(-dot(nab, nca), Real(-1), Real(1));
-  const Real sin_alpha = safe_sqrt(Real(1) - cos_alpha * cos_alpha);
-  // The area cut off by the arc from b through c', plus pi.
-  Real s, k;
-  sincos(fma(u.x, solid_angle, kPi), s, k);
-  const Real sin_phi = s * cos_alpha - k * sin_alpha;
-  const Real cos_phi = k * cos_alpha + s * sin_alpha;
-  const Real k1 = cos_phi + cos_alpha;
-  const Real k2 = sin_phi - sin_alpha * dot(a, b);
-  const Real numerator = k2 + (k2 * cos_phi - k1 * sin_phi) * cos_alpha;
-  const Real denominator = (k2 * sin_phi + k1 * cos_phi) * sin_alpha;
-  const Real cos_b =
-      clamp(numerator / select(denominator == Real(0), Real(1), denominator), Real(-1), Real(1));
-  const Real sin_b = safe_sqrt(Real(1) - cos_b * cos_b);
-  const Vec toward_c = normalize(madd(a, -dot(c, a), c));
-  const Vec cp = a * cos_b + toward_c * sin_b;
-  const Real one_minus_cosine = u.y * (Real(1) - dot(cp, b));
-  const Real cosine = Real(1) - one_minus_cosine;
-  const Real sine = safe_sqrt(one_minus_cosine * (T(2) - one_minus_cosine));
-  const Vec g = madd(b, -dot(cp, b), cp);
-  const Real gg = length_squared(g);
-  return b * cosine + g * (sine / sqrt(select(gg == Real(0), Real(1), gg)));
+/// Unit direction. p and q are relative to the viewpoint; the edges pq and pr to q and r are those
+/// of the original triangle. `swept` is half the solid angle behind the fan, from 0 to that of the
+/// whole triangle; v in [0,1) goes along it, from p outward. Meaningless if the triangle is seen
+/// edge on.
+inline Vec sample_spherical_fan(Vec p, Vec q, Vec pq, Vec pr, Real swept, Real v) {
+  const Real length_p = length(p);
+  const Vec to_p = p * (Real(1) / length_p), to_q = normalize(q);
+  const Vec side = cross(to_q, pq);  // along p x q
+  const Real side2 = length_squared(side);
+  const Real determinant = dot(to_q, cross(pq, pr));
+  const Real y = abs(determinant), x = -dot(side, cross(to_q, pr - pq));
+  const Real inverse = Real(1) / sqrt(fma(y, y, x * x));
+  const Real sin_a = y * inverse, cos_a = x * inverse;
+  // tan^2 of half the arc pq, in the form that does not cancel.
+  const Real along = dot(p, to_q);
+  const Real sum2 = square(length_p + abs(along));
+  const Real tan2 = select(along > Real(0), side2 / sum2, sum2 / side2);
+
+  Real sin_s, cos_s;
+  sincos(swept, sin_s, cos_s);
+  const Real share = sin_s / tan2;
+  const Real xb = fma(sin_a, cos_s, -(cos_a * sin_s)) - share * cos_a;  // of B - S
+  const Real yb = share * sin_a;
+  const Real h2 = fma(xb, xb, yb * yb);
+  const Real inverse_h = Real(1) / sqrt(h2);
+  const Real cos_b = (xb * cos_s - yb * sin_s) * inverse_h;
+  const Real sin_b = (yb * cos_s + xb * sin_s) * inverse_h;
+  // 1 - cos of the rim's arc is twice the square of the sine of its half.
+  const Real rim = tan2 * h2;
+  const Real drop = T(2) * v * (rim / fma(sin_a, sin_a, rim));
+  const Real sine = safe_sqrt(drop * (T(2) - drop));
+  const Vec across = side * (Real(1) / sqrt(side2));
+  const Vec out = madd(cross(across, to_p), cos_b, across * copysign(sin_b, determinant));
+  return normalize(madd(to_p, Real(1) - drop, out * sine));
 }
 
 LIGHTBENCH_KERNEL_END

@@ -1,7 +1,7 @@
 #pragma once
 // Box with any orientation: three slabs in its own frame.
 
-#include "core/sampling/warp.h"
+#include "core/sampling/spherical_parallelogram.h"
 #include "core/shapes/shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -81,32 +81,64 @@ inline Surface surface_box(const Box& s, const Ray& ray, Real t, Coordinates uv)
   return r;
 }
 
-inline Real area_of_box(const Box& s) {
-  return T(8) * (s.half.x * s.half.y + s.half.y * s.half.z + s.half.z * s.half.x);
+/// The faces that a point sees, one of each pair at most, in the box's frame; half the solid angle
+/// of the others is 0.
+struct BoxView {
+  SphericalParallelogram face[3];
+  Vec side;      ///< of the point: the sign of the outward normal of each face
+  Real total;    ///< half the solid angle of the box
+  Mask outside;  ///< of at least one face
+};
+
+inline BoxView view_box(const Box& s, Vec from) {
+  const Vec f = to_box(s, from - s.center), h = s.half;
+  BoxView r;
+  r.side = {copysign(Real(1), f.x), copysign(Real(1), f.y), copysign(Real(1), f.z)};
+  const Vec low = -h - f, near = h * r.side - f;
+  const Vec x{h.x * Real(2), Real(0), Real(0)}, y{Real(0), h.y * Real(2), Real(0)},
+      z{Real(0), Real(0), h.z * Real(2)};
+  r.face[0] = spherical_parallelogram({near.x, low.y, low.z}, y, z);
+  r.face[1] = spherical_parallelogram({low.x, near.y, low.z}, z, x);
+  r.face[2] = spherical_parallelogram({low.x, low.y, near.z}, x, y);
+  const Mask seen[3] = {abs(f.x) > h.x, abs(f.y) > h.y, abs(f.z) > h.z};
+  r.total = Real(0);
+  for (unsigned i = 0; i < 3; ++i) {
+    r.face[i].half = select(seen[i], r.face[i].half, Real(0));
+    r.total += r.face[i].half;
+  }
+  r.outside = seen[0] || seen[1] || seen[2];
+  return r;
 }
 
-/// Uniform over the surface.
+/// Uniform over the solid angle of the faces that look at the point; all around from inside.
 inline LightSample sample_box(const Box& s, Vec from, Vec2 u) {
-  const Real xy = s.half.x * s.half.y, yz = s.half.y * s.half.z, zx = s.half.z * s.half.x;
-  const Real total = xy + yz + zx;
-  const Real w = u.x * total;
-  const Mask on_x = w < yz, on_y = !on_x && w < yz + zx, on_z = !on_x && !on_y;
-  // Position within the chosen pair of faces, then which of the two.
-  const Real share = select(on_x, w / yz, select(on_y, (w - yz) / zx, (w - yz - zx) / xy)) * T(2);
-  const Mask positive = share >= Real(1);
-  const Real a =
-      clamp(select(positive, share - Real(1), share) * T(2) - Real(1), Real(-1), Real(1));
-  const Real b = u.y * T(2) - Real(1);
-  const Real side = select(positive, Real(1), Real(-1));
-  const Vec local{s.half.x * select(on_x, side, a),
-                  s.half.y * select(on_y, side, select(on_x, a, b)),
-                  s.half.z * select(on_z, side, b)};
-  const Vec n = select(on_x, s.axis[0], select(on_y, s.axis[1], s.axis[2])) * side;
-  return toward_point(from, s.center + from_box(s, local), n, Real(1) / area_of_box(s));
+  const BoxView view = view_box(s, from);
+  // The face whose share of the solid angle u.x falls into, and how far into it.
+  SphericalParallelogram face = view.face[0];
+  Vec n = s.axis[0] * view.side.x;
+  Real swept = u.x * view.total, behind(0);
+  const Real sides[3] = {view.side.x, view.side.y, view.side.z};
+  for (unsigned i = 1; i < 3; ++i) {
+    behind += view.face[i - 1].half;
+    const Mask m = u.x * view.total >= behind && view.face[i].half > Real(0);
+    face = select(m, view.face[i], face);
+    n = select(m, s.axis[i] * sides[i], n);
+    swept = select(m, u.x * view.total - behind, swept);
+  }
+  const Vec d = from_box(s, sample_spherical_parallelogram(face, swept, u.y));
+  LightSample r = toward_plane(d, from_box(s, face.corner), n, T(0.5) / view.total);
+  if (any(!view.outside)) {
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const Interval span = hit_box(s, ray);
+    const Vec inner = surface_box(s, ray, first_end(span), Coordinates::None).ng;
+    r = select(view.outside, r, toward_solid(ray.d, span, inner, Real(kPdfSphere)));
+  }
+  return r;
 }
 
-inline Real pdf_box(const Box& s, Vec d, Real t, Vec n) {
-  return solid_angle_pdf(Real(1) / area_of_box(s), t * t, abs(dot(n, d)));
+inline Real pdf_box(const Box& s, Vec from) {
+  const BoxView view = view_box(s, from);
+  return select(view.outside, T(0.5) / view.total, Real(kPdfSphere));
 }
 
 LIGHTBENCH_KERNEL_END

@@ -1,7 +1,8 @@
 #pragma once
 // Capped cylinder of any direction, and its affine image (EllipticCylinder).
 
-#include "core/sampling/warp.h"
+#include "core/sampling/cylinder_side.h"
+#include "core/sampling/spherical_ellipse.h"
 #include "core/shapes/shape.h"
 #include "core/shapes/sphere.h"
 
@@ -94,39 +95,119 @@ inline Surface surface_cylinder(const Cylinder& c, const Ray& ray, Real t, HitQu
   return surface_cylinder(c, ray.o, ray.d, Real(1), t, quality, uv);
 }
 
-/// A point uniform over side and caps with its normal, both relative to the cylinder's frame.
-struct CylinderPoint {
-  Vec p, n;
+/// What a point sees of a cylinder: the side from beside it, a cap from beyond that; of its inside
+/// everything. Side and cap are chosen by their solid angles, about.
+struct CylinderView {
+  CylinderSide side;
+  SphericalEllipse cap;
+  Vec cap_from;  ///< the point relative to the centre of the cap
+  Mask beside, beyond;
+  Real cap_share;  ///< probability of the cap
 };
-inline CylinderPoint point_of_cylinder(const Cylinder& c, Vec2 u) {
-  // Shares of the area: each cap r / (2 (r + h)), the side h / (r + h), h the full height.
-  const Real caps = c.radius / (c.radius + T(2) * c.half);
-  const Mask on_cap = u.x < caps;
-  const Vec binormal = cross(c.axis, c.meridian);
-  const Real w = u.x / caps;
-  const Mask top = w < Real(T(0.5));
-  const Vec2 disk = square_to_disk({select(top, w * T(2), w * T(2) - T(1)), u.y});
-  const Vec face = c.axis * select(top, Real(1), Real(-1));
-  const Real z = ((u.x - caps) / (Real(1) - caps)) * T(2) - T(1);
-  Real s, k;
-  sincos(u.y * kTwoPi, s, k);
-  const Vec radial = c.meridian * k + binormal * s;
-  const Vec cap_point = face * c.half + (c.meridian * disk.x + binormal * disk.y) * c.radius;
-  const Vec side_point = c.axis * (z * c.half) + radial * c.radius;
-  return {c.middle + select(on_cap, cap_point, side_point), select(on_cap, face, radial)};
+
+/// Sets the probabilities when the rest is known.
+inline void choose_parts(CylinderView& v) {
+  const Real side = any(v.beside) ? select(v.beside, v.side.solid_angle, Real(0)) : Real(0);
+  const Real cap = any(v.beyond) ? select(v.beyond, solid_angle_about(v.cap), Real(0)) : Real(0);
+  v.cap_share = cap / select(side + cap > Real(0), side + cap, Real(1));
 }
 
-inline Real area_of_cylinder(const Cylinder& c) {
-  return kTwoPi * c.radius * (c.radius + T(2) * c.half);
+/// Density of direction d where it meets the cap (on_cap) or the side; x and y are its coordinates
+/// in the side's frame.
+inline Real pdf_cylinder_parts(const CylinderView& v, Vec d, Real x, Real y, Mask on_cap) {
+  Real pdf(kPdfSphere);
+  if (any(v.beside)) {
+    const Real side = pdf_cylinder_side(v.side, x, y) * (Real(1) - v.cap_share);
+    pdf = select(v.beside, side, pdf);
+  }
+  if (any(v.beyond)) {
+    const Real cap = pdf_spherical_ellipse(v.cap, d) * v.cap_share;
+    pdf = select(v.beyond && (on_cap || !v.beside), cap, pdf);
+  }
+  return pdf;
 }
 
+/// Random numbers for the part that is chosen.
+struct PartChoice {
+  Mask cap;
+  Vec2 u;
+};
+inline PartChoice choose_part(const CylinderView& v, Vec2 u) {
+  const Mask cap = v.beyond && (u.x < v.cap_share || !v.beside);
+  const Real share = select(cap, v.cap_share, Real(1) - v.cap_share);
+  const Real x = select(cap, u.x, u.x - v.cap_share) / select(share > Real(0), share, Real(1));
+  return {cap, {clamp(x, Real(0), Real(1 - kEpsilon)), u.y}};
+}
+
+inline CylinderView view_cylinder(const Cylinder& c, Vec from) {
+  CylinderView v;
+  const Vec f = from - c.middle;
+  const Real height = dot(f, c.axis);
+  const Vec off = madd(c.axis, -height, f);
+  const Real rho = length(off);
+  v.beside = rho > c.radius;
+  v.beyond = abs(height) > c.half;
+  if (any(v.beside)) {
+    CylinderSide& s = v.side;
+    const Real inverse = Real(1) / c.radius;
+    s.axis = c.axis;
+    s.x = off * (-c.radius / rho);
+    s.y = cross(c.axis, s.x);
+    s.lean_x = Real(0);
+    s.lean_y = Real(0);
+    s.rho = rho * inverse;
+    s.gap = (rho - c.radius) * (rho + c.radius) * (inverse * inverse);
+    s.top = c.half - height;
+    s.bottom = -c.half - height;
+    s.turn = c.radius * c.radius;
+    prepare_cylinder_side(s);
+  }
+  if (any(v.beyond)) {
+    const Vec n = c.axis * copysign(Real(1), height);
+    v.cap_from = madd(n, -c.half, f);
+    v.cap = spherical_ellipse_of_circle(v.cap_from, abs(height) - c.half, n, c.radius);
+  }
+  choose_parts(v);
+  return v;
+}
+
+inline Real pdf_cylinder(const CylinderView& v, const Cylinder& c, Vec d, Vec n) {
+  const Mask on_cap = abs(dot(n, c.axis)) > Real(T(0.5));
+  return pdf_cylinder_parts(v, d, dot(d, v.side.x), dot(d, v.side.y), on_cap);
+}
+
+/// n is the outward normal where d meets the cylinder.
+inline Real pdf_cylinder(const Cylinder& c, Vec from, Vec d, Vec n) {
+  return pdf_cylinder(view_cylinder(c, from), c, d, n);
+}
+
+/// Nearly uniform over the solid angle; all around from inside.
 inline LightSample sample_cylinder(const Cylinder& c, Vec from, Vec2 u) {
-  const CylinderPoint q = point_of_cylinder(c, u);
-  return toward_point(from, q.p, q.n, Real(1) / area_of_cylinder(c));
-}
-
-inline Real pdf_cylinder(const Cylinder& c, Vec d, Real t, Vec n) {
-  return solid_angle_pdf(Real(1) / area_of_cylinder(c), t * t, abs(dot(n, d)));
+  const CylinderView v = view_cylinder(c, from);
+  const PartChoice part = choose_part(v, u);
+  LightSample r{Vec(Real(0)), Vec(Real(0)), Real(0), Real(0), Mask(false)};
+  if (any(v.beside && !part.cap)) {
+    const SideSample s = sample_cylinder_side(v.side, part.u);
+    const Vec n = (v.side.x * s.normal_x + v.side.y * s.normal_y) * (Real(1) / c.radius);
+    r = {s.d, n, s.distance, Real(0), s.distance > Real(0) && s.distance < Real(kInfinity)};
+  }
+  if (any(part.cap)) {
+    const Vec n = c.axis * copysign(Real(1), dot(from - c.middle, c.axis));
+    const Vec d = sample_spherical_ellipse(v.cap, part.u);
+    r = select(part.cap, toward_plane(d, -v.cap_from, n, Real(0)), r);
+  }
+  // Of the direction as it is rounded, which is what a ray along it computes.
+  r.pdf = pdf_cylinder(v, c, r.d, r.n);
+  r.valid = r.valid && r.pdf > Real(0) && r.pdf < Real(kInfinity);
+  const Mask within = !v.beside && !v.beyond;
+  if (any(within)) {
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const Interval span = hit_cylinder(c, ray, HitQuality::Refined);
+    const Vec n =
+        surface_cylinder(c, ray, first_end(span), HitQuality::Refined, Coordinates::None).ng;
+    r = select(within, toward_solid(ray.d, span, n, Real(kPdfSphere)), r);
+  }
+  return r;
 }
 
 // ---- elliptic cylinder
@@ -166,19 +247,94 @@ inline Surface surface_elliptic_cylinder(const EllipticCylinder& e, const Ray& r
   return r;
 }
 
-inline LightSample sample_elliptic_cylinder(const EllipticCylinder& e, Vec from, Vec2 u) {
-  const Cylinder c = canonical_cylinder();
-  const CylinderPoint q = point_of_cylinder(c, u);
-  const Real pdf = stretched_pdf(Real(1) / area_of_cylinder(c), e.to_local, e.determinant, q.n);
-  return toward_point(from, e.to_world.point(q.p), normalize(e.to_local.transposed(q.n)), pdf);
+/// The view of the image of the canonical cylinder, and its frame in that one's space.
+struct EllipticCylinderView {
+  CylinderView parts;
+  Vec local;  ///< the point
+  Vec local_x, local_y;
+};
+
+inline EllipticCylinderView view_elliptic_cylinder(const EllipticCylinder& e, Vec from) {
+  EllipticCylinderView r;
+  CylinderView& v = r.parts;
+  r.local = e.to_local.point(from);
+  const Vec off{r.local.x, Real(0), r.local.z};
+  const Real rho = length(off);
+  v.beside = rho > Real(1);
+  v.beyond = abs(r.local.y) > Real(1);
+  r.local_x = off * (Real(-1) / rho);
+  r.local_y = {r.local_x.z, Real(0), -r.local_x.x};
+  if (any(v.beside)) {
+    CylinderSide& s = v.side;
+    const Vec up = e.to_world.vector({Real(0), Real(1), Real(0)});
+    const Real half = length(up);
+    s.axis = up * (Real(1) / half);
+    const Vec x = e.to_world.vector(r.local_x), y = e.to_world.vector(r.local_y);
+    s.lean_x = dot(x, s.axis);
+    s.lean_y = dot(y, s.axis);
+    s.x = madd(s.axis, -s.lean_x, x);
+    s.y = madd(s.axis, -s.lean_y, y);
+    s.rho = rho;
+    s.gap = (rho - Real(1)) * (rho + Real(1));
+    s.top = half * (Real(1) - r.local.y);
+    s.bottom = half * (Real(-1) - r.local.y);
+    s.turn = e.determinant / half;
+    prepare_cylinder_side(s);
+  }
+  if (any(v.beyond)) {
+    const Real side = copysign(Real(1), r.local.y);
+    const PrincipalAxes axes = axes_of_ellipse(e.to_world.vector({Real(1), Real(0), Real(0)}),
+                                               e.to_world.vector({Real(0), Real(0), Real(1)}));
+    v.cap_from = e.to_world.vector({r.local.x, r.local.y - side, r.local.z});
+    const Real height =
+        (abs(r.local.y) - Real(1)) / length(e.to_local.transposed({Real(0), Real(1), Real(0)}));
+    v.cap = spherical_ellipse_of_ellipsoid(axes,
+                                           {dot(v.cap_from, axes.a), dot(v.cap_from, axes.b),
+                                            copysign(height, dot(v.cap_from, axes.c))},
+                                           axes.squares.x * axes.squares.y * height * height);
+  }
+  choose_parts(v);
+  return r;
 }
 
-/// n is the unit normal in world space; back in local space it is M^T n, renormalised.
-inline Real pdf_elliptic_cylinder(const EllipticCylinder& e, Vec d, Real t, Vec n) {
-  const Vec local = normalize(e.to_world.transposed(n));
-  const Real area_pdf = Real(1) / area_of_cylinder(canonical_cylinder());
-  return solid_angle_pdf(stretched_pdf(area_pdf, e.to_local, e.determinant, local), t * t,
-                         abs(dot(n, d)));
+inline Real pdf_elliptic_cylinder(const EllipticCylinderView& v, const EllipticCylinder& e, Vec d,
+                                  Vec n) {
+  const Vec local = e.to_local.vector(d), normal = e.to_world.transposed(n);
+  const Mask on_cap = abs(normal.y) > abs(normal.x) + abs(normal.z);
+  return pdf_cylinder_parts(v.parts, d, dot(local, v.local_x), dot(local, v.local_y), on_cap);
+}
+
+/// n is the outward normal where d meets the cylinder.
+inline Real pdf_elliptic_cylinder(const EllipticCylinder& e, Vec from, Vec d, Vec n) {
+  return pdf_elliptic_cylinder(view_elliptic_cylinder(e, from), e, d, n);
+}
+
+/// As sample_cylinder().
+inline LightSample sample_elliptic_cylinder(const EllipticCylinder& e, Vec from, Vec2 u) {
+  const EllipticCylinderView v = view_elliptic_cylinder(e, from);
+  const PartChoice part = choose_part(v.parts, u);
+  LightSample r{Vec(Real(0)), Vec(Real(0)), Real(0), Real(0), Mask(false)};
+  if (any(v.parts.beside && !part.cap)) {
+    const SideSample s = sample_cylinder_side(v.parts.side, part.u);
+    const Vec n = e.to_local.transposed(v.local_x * s.normal_x + v.local_y * s.normal_y);
+    r = {s.d, normalize(n), s.distance, Real(0),
+         s.distance > Real(0) && s.distance < Real(kInfinity)};
+  }
+  if (any(part.cap)) {
+    const Vec n = e.to_local.transposed({Real(0), copysign(Real(1), v.local.y), Real(0)});
+    const Vec d = sample_spherical_ellipse(v.parts.cap, part.u);
+    r = select(part.cap, toward_plane(d, -v.parts.cap_from, normalize(n), Real(0)), r);
+  }
+  r.pdf = pdf_elliptic_cylinder(v, e, r.d, r.n);
+  r.valid = r.valid && r.pdf > Real(0) && r.pdf < Real(kInfinity);
+  const Mask within = !v.parts.beside && !v.parts.beyond;
+  if (any(within)) {
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const Interval span = hit_elliptic_cylinder(e, ray);
+    const Vec n = surface_elliptic_cylinder(e, ray, first_end(span), Coordinates::None).ng;
+    r = select(within, toward_solid(ray.d, span, n, Real(kPdfSphere)), r);
+  }
+  return r;
 }
 
 LIGHTBENCH_KERNEL_END

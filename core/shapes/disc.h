@@ -2,7 +2,7 @@
 // Disc with any centre, normal and radius; an ellipse when its object is scaled unevenly. Its two
 // semi-axes are perpendicular (compile() sees to that).
 
-#include "core/sampling/spherical_rectangle.h"
+#include "core/sampling/spherical_ellipse.h"
 #include "core/shapes/shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -50,48 +50,31 @@ inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, Coordinates u
   return r;
 }
 
-/// The rectangle around the disc, whose solid angle is sampled when it is near: directions that
-/// miss the disc are invalid (at most 1 - pi/4 of a rectangle seen face on), pdf = 1 / solid angle.
-inline SphericalRectangle square_around(const Disc& s, Vec from) {
-  return spherical_rectangle(from, s.center - s.u - s.v, s.u * Real(2), s.v * Real(2));
+/// True (in all lanes or none) if the semi-axes are equal.
+inline Mask is_circle(const Disc& s) {
+  const Real uu = length_squared(s.u), vv = length_squared(s.v);
+  return abs(uu - vv) <= T(4) * kEpsilon * (uu + vv);
 }
 
-inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
-
-/// Beyond this many (larger) radii the disc is sampled by area: misses would cost more than the
-/// square gains.
-inline constexpr T kDiscNear = T(1.5);
-
-inline Mask disc_may_be_near(const Disc& s, Vec from) {
-  return length_squared(from - s.center) <
-         kDiscNear * kDiscNear * max(length_squared(s.u), length_squared(s.v));
+/// Directions from a point that is f from the centre.
+inline SphericalEllipse view_disc(const Disc& s, Vec f) {
+  const Real height = dot(f, s.n);
+  if (any(is_circle(s))) return spherical_ellipse_of_circle(f, height, s.n, length(s.u));
+  const PrincipalAxes axes = axes_of_ellipse(s.u, s.v);
+  return spherical_ellipse_of_ellipsoid(axes, {dot(f, axes.a), dot(f, axes.b), height},
+                                        axes.squares.x * axes.squares.y * height * height);
 }
 
+/// Nearly uniform over the solid angle.
 inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
-  const Vec2 k = square_to_disk(u);
-  LightSample r =
-      toward_point(from, madd(s.u, k.x, madd(s.v, k.y, s.center)), s.n, Real(1) / area_of_disc(s));
-  Mask near = disc_may_be_near(s, from);
-  if (none(near)) return r;
-  const SphericalRectangle q = square_around(s, from);
-  near = near && q.solid_angle > Real(kMinSolidAngle);
-  const Vec w = sample_spherical_rectangle(q, u);
-  const Vec p = w + (from - s.center);
-  const Real a = dot(p, s.dual_u), b = dot(p, s.dual_v);
-  const Real d = length(w);
-  r.d = select(near, w * (Real(1) / d), r.d);
-  r.distance = select(near, d, r.distance);
-  r.pdf = select(near, Real(1) / q.solid_angle, r.pdf);
-  r.valid = select(near, a * a + b * b <= Real(1), r.valid);
-  return r;
+  const Vec f = from - s.center;
+  const SphericalEllipse e = view_disc(s, f);
+  const Vec d = sample_spherical_ellipse(e, u);
+  return toward_plane(d, -f, s.n, pdf_spherical_ellipse(e, d));
 }
 
-inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t) {
-  const Real by_area = solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d)));
-  const Mask near = disc_may_be_near(s, from);
-  if (none(near)) return by_area;
-  const Real solid_angle = square_around(s, from).solid_angle;
-  return select(near && solid_angle > Real(kMinSolidAngle), Real(1) / solid_angle, by_area);
+inline Real pdf_disc(const Disc& s, Vec from, Vec d) {
+  return pdf_spherical_ellipse(view_disc(s, from - s.center), d);
 }
 
 LIGHTBENCH_KERNEL_END

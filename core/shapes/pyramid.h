@@ -11,11 +11,9 @@ LIGHTBENCH_KERNEL_BEGIN
 /// - v0) = h[i]; h is 0 but for face 0. Vertices are ordered (by compile) so that the normals of
 /// the faces in `face_triangle` point outward.
 struct Pyramid {
-  static constexpr unsigned kRow = 28;
+  static constexpr unsigned kRow = 25;
   Vec v0, edge[3], n[4];
   Real h0;
-  Real cumulative_area[3];  ///< shares of faces 0, 0..1, 0..2
-  Real area;
 };
 
 inline Pyramid pyramid_at(const Row& row) {
@@ -24,14 +22,6 @@ inline Pyramid pyramid_at(const Row& row) {
   for (unsigned i = 0; i < 3; ++i) s.edge[i] = row.vec(3 + 3 * i);
   for (unsigned i = 0; i < 4; ++i) s.n[i] = row.vec(12 + 3 * i);
   s.h0 = row[24];
-  s.cumulative_area[0] = row[25];
-  s.cumulative_area[1] = row[26];
-  s.cumulative_area[2] = row[27];
-  // Areas follow from the faces' doubled cross products, so they need no numbers of their own.
-  s.area = (length(cross(s.edge[0], s.edge[1])) + length(cross(s.edge[1], s.edge[2])) +
-            length(cross(s.edge[2], s.edge[0])) +
-            length(cross(s.edge[1] - s.edge[0], s.edge[2] - s.edge[0]))) *
-           T(0.5);
   return s;
 }
 
@@ -119,25 +109,61 @@ inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t, Coordin
   return r;
 }
 
-/// Uniform over the surface.
-inline LightSample sample_pyramid(const Pyramid& s, Vec from, Vec2 u) {
-  Int face(0U);
-  Real lower(0), upper = s.cumulative_area[0];
-  for (unsigned i = 1; i < 4; ++i) {
-    const Mask m = u.x >= s.cumulative_area[i - 1];
-    face = select(m, Int(i), face);
-    lower = select(m, s.cumulative_area[i - 1], lower);
-    upper = select(m, i < 3 ? s.cumulative_area[i] : Real(1), upper);
+/// The faces that a point sees: half the solid angle of each, 0 for those that look away.
+struct PyramidView {
+  Real half[4];
+  Real total;    ///< half the solid angle of the pyramid
+  Mask outside;  ///< of at least one face
+};
+
+inline PyramidView view_pyramid(const Pyramid& s, Vec from) {
+  const Vec w[4] = {s.v0 - from, s.v0 + s.edge[0] - from, s.v0 + s.edge[1] - from,
+                    s.v0 + s.edge[2] - from};
+  const Real l[4] = {length(w[0]), length(w[1]), length(w[2]), length(w[3])};
+  constexpr unsigned kVertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  PyramidView r;
+  r.total = Real(0);
+  r.outside = false;
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto [a, b, c] = kVertices[i];
+    const Triangle t = face_triangle(s, i);
+    const Real height = -dot(w[a], cross(t.b - t.a, t.c - t.a));
+    const Mask seen = height > Real(0);
+    r.half[i] = select(seen, half_solid_angle(w[a], w[b], w[c], l[a], l[b], l[c], height), Real(0));
+    r.total += r.half[i];
+    r.outside = r.outside || seen;
   }
-  const Vec2 b =
-      square_to_triangle({clamp((u.x - lower) / (upper - lower), Real(0), Real(1)), u.y});
-  const Triangle tri = face_triangles(s, face);
-  const Vec p = madd(tri.b - tri.a, b.x, madd(tri.c - tri.a, b.y, tri.a));
-  return toward_point(from, p, face_normal(s, face), Real(1) / s.area);
+  return r;
 }
 
-inline Real pdf_pyramid(const Pyramid& s, Vec d, Real t, Vec n) {
-  return solid_angle_pdf(Real(1) / s.area, t * t, abs(dot(n, d)));
+/// Uniform over the solid angle of the faces that look at the point; all around from inside.
+inline LightSample sample_pyramid(const Pyramid& s, Vec from, Vec2 u) {
+  const PyramidView view = view_pyramid(s, from);
+  // The face whose share of the solid angle u.x falls into, and how far into it.
+  Int face(0U);
+  Real swept = u.x * view.total, behind(0);
+  for (unsigned i = 1; i < 4; ++i) {
+    behind += view.half[i - 1];
+    const Mask m = u.x * view.total >= behind && view.half[i] > Real(0);
+    face = select(m, Int(i), face);
+    swept = select(m, u.x * view.total - behind, swept);
+  }
+  const Triangle tri = face_triangles(s, face);
+  const Vec a = tri.a - from;
+  const Vec d = sample_spherical_fan(a, tri.b - from, tri.b - tri.a, tri.c - tri.a, swept, u.y);
+  LightSample r = toward_plane(d, a, face_normal(s, face), T(0.5) / view.total);
+  if (any(!view.outside)) {
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const PyramidInterval i = hit_pyramid_faces(s, ray);
+    const Vec n = face_normal(s, select(i.span.near > Real(0), i.near_face, i.far_face));
+    r = select(view.outside, r, toward_solid(ray.d, i.span, n, Real(kPdfSphere)));
+  }
+  return r;
+}
+
+inline Real pdf_pyramid(const Pyramid& s, Vec from) {
+  const PyramidView view = view_pyramid(s, from);
+  return select(view.outside, T(0.5) / view.total, Real(kPdfSphere));
 }
 
 LIGHTBENCH_KERNEL_END

@@ -1,7 +1,7 @@
 #pragma once
 // Parallelogram corner + a u + b v; a rectangle when the edges are perpendicular.
 
-#include "core/sampling/spherical_rectangle.h"
+#include "core/sampling/spherical_parallelogram.h"
 #include "core/shapes/disc.h"
 #include "core/shapes/shape.h"
 
@@ -36,35 +36,15 @@ inline Surface surface_rectangle(const Rectangle& s, const Ray& ray, Real t, Coo
   return r;
 }
 
-inline Real area_of_rectangle(const Rectangle& s) { return length(cross(s.u, s.v)); }
-
-/// True where the solid angle is sampled (near, and a true rectangle); sample and pdf share this.
-inline Mask rectangle_is_near(const Rectangle& s, const SphericalRectangle& q) {
-  const Real skew = abs(dot(s.u, s.v));
-  return q.solid_angle > Real(kMinSolidAngle) &&
-         skew <= T(1e-6) * (length_squared(s.u) + length_squared(s.v));
-}
-
+/// Uniform over the solid angle.
 inline LightSample sample_rectangle(const Rectangle& s, Vec from, Vec2 u) {
-  LightSample r = toward_point(from, madd(s.u, u.x, madd(s.v, u.y, s.corner)), s.n,
-                               Real(1) / area_of_rectangle(s));
-  const SphericalRectangle q = spherical_rectangle(from, s.corner, s.u, s.v);
-  const Mask near = rectangle_is_near(s, q);
-  if (any(near)) {
-    const Vec w = sample_spherical_rectangle(q, u);
-    const Real d = length(w);
-    r.d = select(near, w * (Real(1) / d), r.d);
-    r.distance = select(near, d, r.distance);
-    r.pdf = select(near, Real(1) / q.solid_angle, r.pdf);
-    r.valid = near || r.valid;
-  }
-  return r;
+  const SphericalParallelogram q = spherical_parallelogram(s.corner - from, s.u, s.v);
+  const Vec d = sample_spherical_parallelogram(q, u.x * q.half, u.y);
+  return toward_plane(d, q.corner, s.n, T(0.5) / q.half);
 }
 
-inline Real pdf_rectangle(const Rectangle& s, Vec from, Vec d, Real t) {
-  const SphericalRectangle q = spherical_rectangle(from, s.corner, s.u, s.v);
-  return select(rectangle_is_near(s, q), Real(1) / q.solid_angle,
-                solid_angle_pdf(Real(1) / area_of_rectangle(s), t * t, abs(dot(s.n, d))));
+inline Real pdf_rectangle(const Rectangle& s, Vec from) {
+  return T(0.5) / spherical_parallelogram(s.corner - from, s.u, s.v).half;
 }
 
 LIGHTBENCH_KERNEL_END

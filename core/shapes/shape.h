@@ -71,26 +71,33 @@ inline ClosestApproach closest_approach(Vec o, Vec center, Vec d, Real inverse_d
 /// True where t is the exit of the interval rather than its entry.
 inline Mask at_exit(const Interval& i, Real t) { return abs(t - i.far) < abs(t - i.near); }
 
-/// pdf in solid angle of a point chosen with `pdf_area`, seen over `distance_squared` at `cosine`.
-inline Real solid_angle_pdf(Real pdf_area, Real distance_squared, Real cosine) {
-  return pdf_area * distance_squared / cosine;
+/// A ray to ask with, that left nothing and skips nothing.
+inline Ray probe_ray(Vec o, Vec d, Real time = Real(0)) {
+  return {o, d, time, Int(kNoHit), Int(kNoHit), Mask(false), Int(kNoHit), Int(kNoHit), Mask(false)};
 }
 
-/// Below this solid angle (sr) lights are sampled by area: float angle sums lose precision there,
-/// and area sampling of a small light is as good.
-inline constexpr T kMinSolidAngle = T(0.02);
+inline LightSample select(Mask m, const LightSample& a, const LightSample& b) {
+  return {select(m, a.d, b.d), select(m, a.n, b.n), select(m, a.distance, b.distance),
+          select(m, a.pdf, b.pdf), select(m, a.valid, b.valid)};
+}
 
-/// Completes a sample from a point on the light chosen with density `pdf_area`.
-inline LightSample toward_point(Vec from, Vec point, Vec n, Real pdf_area) {
-  LightSample s;
-  const Vec w = point - from;
-  const Real d2 = length_squared(w);
-  s.distance = sqrt(d2);
-  s.d = w * (Real(1) / s.distance);
-  s.n = n;
-  s.pdf = solid_angle_pdf(pdf_area, d2, abs(dot(n, s.d)));
-  s.valid = d2 > Real(0) && s.pdf > Real(0) && s.pdf < Real(kInfinity);
-  return s;
+/// Completes a sample of a flat light from its unit direction d; `point` is any point of the plane
+/// relative to the reference point, n its unit normal.
+inline LightSample toward_plane(Vec d, Vec point, Vec n, Real pdf) {
+  // Both signs are those of the same side, but for rounding where the plane is seen edge on.
+  const Real t = abs(dot(n, point)) / abs(dot(n, d));
+  return {d, n, t, pdf, t > Real(0) && t < Real(kInfinity) && pdf < Real(kInfinity)};
+}
+
+/// Completes a sample of a solid light seen from within, where every direction is as likely
+/// (kPdfSphere): d meets the solid over `span`, with outward normal n where it does so first. Also
+/// right for points that only rounding puts inside.
+inline Real first_end(const Interval& span) {
+  return select(span.near > Real(0), span.near, span.far);
+}
+inline LightSample toward_solid(Vec d, const Interval& span, Vec n, Real pdf) {
+  const Real t = first_end(span);
+  return {d, n, t, pdf, span.hit && t > Real(0)};
 }
 
 LIGHTBENCH_KERNEL_END

@@ -1,7 +1,7 @@
 #pragma once
 // Sphere, also moving linearly over the shutter, and its affine image (Ellipsoid).
 
-#include "core/sampling/warp.h"
+#include "core/sampling/spherical_ellipse.h"
 #include "core/shapes/shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -103,25 +103,18 @@ inline LightSample sample_sphere(const Sphere& s, Vec from, Vec2 u) {
   r.pdf = pdf_cone(cone);
   r.valid = outside && r.distance > Real(0);
   if (any(!outside)) {
-    const Vec n = square_to_sphere(u);
-    const Real area_pdf = Real(kPdfSphere) / (s.radius * s.radius);
-    const LightSample inner = toward_point(from, madd(n, s.radius, s.center), n, area_pdf);
-    r.d = select(outside, r.d, inner.d);
-    r.n = select(outside, r.n, inner.n);
-    r.distance = select(outside, r.distance, inner.distance);
-    r.pdf = select(outside, r.pdf, inner.pdf);
-    r.valid = select(outside, r.valid, inner.valid);
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const SphereHit hit = hit_sphere(s, ray, HitQuality::Refined);
+    const Vec n = normal_at(hit, ray.d, first_end(hit.span));
+    r = select(outside, r, toward_solid(ray.d, hit.span, n, Real(kPdfSphere)));
   }
   return r;
 }
 
-/// pdf of the direction d that meets the sphere at distance t with outward normal n.
-inline Real pdf_sphere(const Sphere& s, Vec from, Vec d, Real t, Vec n) {
+inline Real pdf_sphere(const Sphere& s, Vec from) {
   Real d2;
   const Mask outside = outside_sphere(s, from, d2);
-  const Real area_pdf = Real(kPdfSphere) / (s.radius * s.radius);
-  return select(outside, pdf_cone(cone_of_sphere(s, d2)),
-                solid_angle_pdf(area_pdf, t * t, abs(dot(n, d))));
+  return select(outside, pdf_cone(cone_of_sphere(s, d2)), Real(kPdfSphere));
 }
 
 // ---- ellipsoid
@@ -129,14 +122,13 @@ inline Real pdf_sphere(const Sphere& s, Vec from, Vec d, Real t, Vec n) {
 
 /// The unit sphere mapped by `to_world`; the ray is traced in the unit sphere's space, t unchanged.
 struct Ellipsoid {
-  static constexpr unsigned kRow = 28;
+  static constexpr unsigned kRow = 39;
   Affine to_local, to_world;
-  Vec shift;         ///< motion so far
-  Real determinant;  ///< |det| of to_world
+  Vec shift;  ///< motion so far
 };
 
 inline Ellipsoid ellipsoid_at(const Row& row, Real time) {
-  return {affine_at(row, 0), affine_at(row, 12), row.vec(24) * time, row[27]};
+  return {affine_at(row, 0), affine_at(row, 12), row.vec(24) * time};
 }
 
 inline SphereHit hit_ellipsoid(const Ellipsoid& e, const Ray& ray) {
@@ -157,23 +149,64 @@ inline Surface surface_ellipsoid(const Ellipsoid& e, const Ray& ray, Real t, Coo
   return r;
 }
 
-/// Area density at the image of the unit-area density `pdf` at a point whose normal is n in local
-/// space: an affine map stretches area by |det M| |M^-T n|.
-inline Real stretched_pdf(Real pdf, const Affine& to_local, Real determinant, Vec n) {
-  return pdf / (determinant * length(to_local.transposed(n)));
+/// For light sampling only; its row comes after the ellipsoid's own numbers.
+inline PrincipalAxes axes_of_ellipsoid(const Row& row) {
+  return {row.vec(27), row.vec(30), row.vec(33), row.vec(36)};
 }
 
-inline LightSample sample_ellipsoid(const Ellipsoid& e, Vec from, Vec2 u) {
-  const Vec n = square_to_sphere(u);
-  const Real pdf = stretched_pdf(Real(kPdfSphere), e.to_local, e.determinant, n);
-  return toward_point(from, e.to_world.point(n) + e.shift, normalize(e.to_local.transposed(n)),
-                      pdf);
+/// The cone that the ellipsoid fills for a point outside of it; sample and pdf share this.
+struct EllipsoidView {
+  SphericalEllipse cone;
+  Vec local;  ///< the point, in the unit sphere's space
+  Real gap;   ///< the square of its distance from the centre there, less 1
+  Mask outside;
+};
+
+inline EllipsoidView view_ellipsoid(const Ellipsoid& e, const PrincipalAxes& axes, Vec from) {
+  EllipsoidView v;
+  v.local = e.to_local.point(from - e.shift);
+  const Real distance = length(v.local);
+  v.gap = (distance - Real(1)) * (distance + Real(1));
+  v.outside = v.gap > Real(T(1e-4));
+  if (any(v.outside)) {
+    const Vec f = e.to_world.vector(v.local), s = axes.squares;
+    v.cone = spherical_ellipse_of_ellipsoid(axes, {dot(f, axes.a), dot(f, axes.b), dot(f, axes.c)},
+                                            s.x * s.y * s.z * v.gap);
+  }
+  return v;
 }
 
-inline Real pdf_ellipsoid(const Ellipsoid& e, Vec from, Vec d, Real t, Vec n) {
-  const Vec local = normalize(e.to_local.point(madd(d, t, from) - e.shift));
-  const Real pdf = stretched_pdf(Real(kPdfSphere), e.to_local, e.determinant, local);
-  return solid_angle_pdf(pdf, t * t, abs(dot(n, d)));
+/// Nearly uniform over the solid angle; all around from inside.
+inline LightSample sample_ellipsoid(const Ellipsoid& e, const PrincipalAxes& axes, Vec from,
+                                    Vec2 u) {
+  const EllipsoidView v = view_ellipsoid(e, axes, from);
+  LightSample r{Vec(Real(0)), Vec(Real(0)), Real(0), Real(0), Mask(false)};
+  if (any(v.outside)) {
+    r.d = sample_spherical_ellipse(v.cone, u);
+    r.pdf = pdf_spherical_ellipse(v.cone, r.d);
+    // The near root, from the closest approach in the unit sphere's space.
+    const Vec d = e.to_local.vector(r.d);
+    const Real inverse_dd = Real(1) / length_squared(d);
+    const ClosestApproach a =
+        closest_approach(v.local, Vec(Real(0)), d, inverse_dd, HitQuality::Refined);
+    const Real half = safe_sqrt((Real(1) - length_squared(a.p)) * inverse_dd);
+    r.distance = v.gap * inverse_dd / (a.t + half);
+    r.n = normalize(e.to_local.transposed(madd(d, r.distance, v.local)));
+    r.valid = v.outside && r.distance > Real(0) && r.pdf < Real(kInfinity);
+  }
+  if (any(!v.outside)) {
+    const Ray ray = probe_ray(from, square_to_sphere(u));
+    const Interval span = hit_ellipsoid(e, ray).span;
+    const Vec n = surface_ellipsoid(e, ray, first_end(span), Coordinates::None).ng;
+    r = select(v.outside, r, toward_solid(ray.d, span, n, Real(kPdfSphere)));
+  }
+  return r;
+}
+
+inline Real pdf_ellipsoid(const Ellipsoid& e, const PrincipalAxes& axes, Vec from, Vec d) {
+  const EllipsoidView v = view_ellipsoid(e, axes, from);
+  if (none(v.outside)) return Real(kPdfSphere);
+  return select(v.outside, pdf_spherical_ellipse(v.cone, d), Real(kPdfSphere));
 }
 
 LIGHTBENCH_KERNEL_END

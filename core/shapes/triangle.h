@@ -113,42 +113,19 @@ inline Surface surface_triangle(const Triangle& s, Real b1, Real b2, Coordinates
   return r;
 }
 
-inline Real solid_angle_of_triangle(const Triangle& s, Vec from) {
-  return triangle_solid_angle(s.a - from, s.b - from, s.c - from, s.b - s.a, s.c - s.a);
+/// pdf of its samples: 1 / solid angle.
+inline Real pdf_triangle(const Triangle& s, Vec from) {
+  const Vec a = s.a - from, b = s.b - from, c = s.c - from;
+  const Real determinant = abs(dot(a, cross(s.b - s.a, s.c - s.a)));
+  return T(0.5) / half_solid_angle(a, b, c, length(a), length(b), length(c), determinant);
 }
 
-/// True where the solid angle is sampled; sample and pdf share this. Near a full hemisphere (the
-/// point lies almost in the triangle) the map loses precision.
-inline Mask triangle_is_near(Real solid_angle) {
-  return solid_angle > Real(kMinSolidAngle) && solid_angle < Real(T(6.2));
-}
-
+/// Uniform over the solid angle.
 inline LightSample sample_triangle(const Triangle& s, Vec from, Vec2 u) {
-  const Vec e1 = s.b - s.a, e2 = s.c - s.a;
-  const Vec nn = cross(e1, e2);
-  const Real doubled = length(nn);
-  const Vec n = nn * (s.facing / doubled);
-  const Vec2 b = square_to_triangle(u);
-  LightSample r = toward_point(from, madd(e1, b.x, madd(e2, b.y, s.a)), n, Real(2) / doubled);
-  const Real omega = solid_angle_of_triangle(s, from);
-  const Mask near = triangle_is_near(omega);
-  if (any(near)) {
-    const Vec w = sample_spherical_triangle(s.a - from, s.b - from, s.c - from, omega, u);
-    const Real cosine = dot(n, w);
-    const Real t = dot(n, s.a - from) / select(cosine == Real(0), Real(1), cosine);
-    r.d = select(near, w, r.d);
-    r.distance = select(near, t, r.distance);
-    r.pdf = select(near, Real(1) / omega, r.pdf);
-    r.valid = select(near, t > Real(0) && t < Real(kInfinity), r.valid);
-  }
-  return r;
-}
-
-inline Real pdf_triangle(const Triangle& s, Vec from, Vec d, Real t) {
-  const Real omega = solid_angle_of_triangle(s, from);
-  const Vec nn = cross(s.b - s.a, s.c - s.a);
-  // 1/area * t^2 / |cos|, with n not normalised: the lengths cancel.
-  return select(triangle_is_near(omega), Real(1) / omega, T(2) * t * t / abs(dot(nn, d)));
+  const Vec e1 = s.b - s.a, e2 = s.c - s.a, a = s.a - from;
+  const Real pdf = pdf_triangle(s, from);
+  const Vec d = sample_spherical_fan(a, s.b - from, e1, e2, u.x * (T(0.5) / pdf), u.y);
+  return toward_plane(d, a, normalize(cross(e1, e2)) * s.facing, pdf);
 }
 
 LIGHTBENCH_KERNEL_END
