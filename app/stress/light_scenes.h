@@ -10,15 +10,27 @@
 
 namespace lightbench::stress {
 
+struct LightKind {
+  Kind kind;
+  bool stretched = false;  ///< turned and scaled unevenly: an ellipsoid, an oblique cylinder, ...
+};
+inline constexpr LightKind kLightKinds[] = {
+    {Kind::Sphere},    {Kind::Sphere, true}, {Kind::Cylinder}, {Kind::Cylinder, true},
+    {Kind::Pyramid},   {Kind::Box},          {Kind::Disc},     {Kind::Disc, true},
+    {Kind::Rectangle}, {Kind::Triangle},     {Kind::Mesh}};
+std::string name_of(const LightKind& kind);
+
 /// One light of about unit size around the origin; lights of a mesh are its triangles.
 struct LightStage {
   Kind kind = Kind::Sphere;
-  Shape shape;  ///< of a mesh the box that it looks like
+  Shape shape;  ///< in its own space; of a mesh the box that it looks like
+  glm::dmat4 to_world{1};
   std::shared_ptr<const RenderScene> scene;
+  [[nodiscard]] glm::dvec3 in_world(const glm::dvec3& p) const;
 };
 /// Radiance 1 outward (from the front of flat ones). The scene's precision is chosen for an eye
 /// `reach` away.
-LightStage light_stage(Random& random, Kind kind, double reach, KernelKind kernel);
+LightStage light_stage(Random& random, const LightKind& kind, double reach, KernelKind kernel);
 
 /// A point of the light's surface with its outward normal; of flat lights on the front.
 struct SurfacePoint {

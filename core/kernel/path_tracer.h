@@ -178,9 +178,9 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   const Mask sampled = bright && paths.pdf > Real(0);
   if (scene.samples_lights && any(sampled)) {
     const auto [light, known] = light_of(scene, hit, sampled);
-    const Real pdf = gather(scene.light_pmf, light) * pdf_light(scene, {hit.primitive, hit.slot},
-                                                                paths.ray.o, paths.ray.time,
-                                                                paths.ray.d, v.surface.ng, known);
+    const Real pdf = gather(scene.light_pmf, light) *
+                     pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
+                               paths.ray.d, hit.t, v.surface.ng, known);
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.
     const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)
                                                    : select(pdf > Real(0), Real(0), Real(1));

@@ -90,8 +90,8 @@ inline void pdf_light_points(const SceneView<T>& scene,
     find_surface(scene, ray, hit, met, v);
     const auto [light, valid] = light_of(scene, hit, met);
     LightSample s{ray.d, v.surface.ng, hit.t, Real(0), valid};
-    s.pdf =
-        pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, v.surface.ng, valid);
+    s.pdf = pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, hit.t, v.surface.ng,
+                      valid);
     const Mask bright = valid && (dot(ray.d, v.surface.ng) < Real(0) || v.material.two_sided);
     put_light_points(batch, scene, valid, light, s,
                      select(bright, v.material.emission, Vec(Real(0))), points);

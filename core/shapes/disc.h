@@ -65,16 +65,42 @@ inline SphericalEllipse view_disc(const Disc& s, Vec f) {
                                         axes.squares.x * axes.squares.y * height * height);
 }
 
-/// Nearly uniform over the solid angle.
-inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
-  const Vec f = from - s.center;
+inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
+
+/// True where the disc is sampled by area, which costs less and whose variance is at most .3 there:
+/// its density in solid angle changes by about 3 r sin(a) / distance from the centre to the rim, a
+/// being the angle from the normal.
+inline Mask disc_is_far(const Disc& s, Vec f) {
+  const Real rr = max(length_squared(s.u), length_squared(s.v)), dd = length_squared(f);
+  return dd > T(2.25) * rr;
+}
+
+/// Nearly uniform over the solid angle. Out of line, as its density is: few points are so near.
+[[gnu::noinline]] inline LightSample sample_near_disc(const Disc& s, Vec f, Vec2 u) {
   const SphericalEllipse e = view_disc(s, f);
   const Vec d = sample_spherical_ellipse(e, u);
   return toward_plane(d, -f, s.n, pdf_spherical_ellipse(e, d));
 }
+[[gnu::noinline]] inline Real pdf_near_disc(const Disc& s, Vec f, Vec d) {
+  return pdf_spherical_ellipse(view_disc(s, f), d);
+}
 
-inline Real pdf_disc(const Disc& s, Vec from, Vec d) {
-  return pdf_spherical_ellipse(view_disc(s, from - s.center), d);
+/// Nearly uniform over the solid angle when near, else over the area.
+inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
+  const Vec f = from - s.center;
+  const Vec2 k = square_to_disk(u);
+  LightSample r = toward_point(madd(s.u, k.x, s.v * k.y) - f, s.n, Real(1) / area_of_disc(s));
+  const Mask near = !disc_is_far(s, f);
+  if (any(near)) r = select(near, sample_near_disc(s, f, u), r);
+  return r;
+}
+
+inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t) {
+  const Vec f = from - s.center;
+  Real pdf = solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d)));
+  const Mask near = !disc_is_far(s, f);
+  if (any(near)) pdf = select(near, pdf_near_disc(s, f, d), pdf);
+  return pdf;
 }
 
 LIGHTBENCH_KERNEL_END

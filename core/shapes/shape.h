@@ -81,6 +81,24 @@ inline LightSample select(Mask m, const LightSample& a, const LightSample& b) {
           select(m, a.pdf, b.pdf), select(m, a.valid, b.valid)};
 }
 
+/// pdf in solid angle of a point chosen with `pdf_area`, seen over `distance_squared` at `cosine`.
+inline Real solid_angle_pdf(Real pdf_area, Real distance_squared, Real cosine) {
+  return pdf_area * distance_squared / cosine;
+}
+
+/// Completes a sample from a point of the light with normal n, chosen with density `pdf_area`; w is
+/// the point relative to the reference point.
+inline LightSample toward_point(Vec w, Vec n, Real pdf_area) {
+  LightSample s;
+  const Real d2 = length_squared(w);
+  s.distance = sqrt(d2);
+  s.d = w * (Real(1) / s.distance);
+  s.n = n;
+  s.pdf = solid_angle_pdf(pdf_area, d2, abs(dot(n, s.d)));
+  s.valid = d2 > Real(0) && s.pdf > Real(0) && s.pdf < Real(kInfinity);
+  return s;
+}
+
 /// Completes a sample of a flat light from its unit direction d; `point` is any point of the plane
 /// relative to the reference point, n its unit normal.
 inline LightSample toward_plane(Vec d, Vec point, Vec n, Real pdf) {

@@ -1,0 +1,12 @@
+#pragma once
+// Solid angles of shapes in long double, by formulas that the samplers do not use.
+
+#include "app/stress/oracle.h"
+
+namespace lightbench::stress {
+
+/// Of any shape but a mesh, from a point outside of it. Exact to about 1e-12, for points nearer
+/// than a tenth of a radius to a disc or a cylinder's side less so.
+Number solid_angle(const Shape& shape, const V& from);
+
+}  // namespace lightbench::stress
