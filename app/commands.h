@@ -25,5 +25,6 @@ void add_info(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_stress(CLI::App& app, Action& action);
+void add_bench(CLI::App& app, Action& action);
 
 }  // namespace lightbench

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/picture_difference.h"
 #include "core/error.h"
 #include "core/film/image_file.h"
 
@@ -23,42 +21,6 @@ struct CompareOptions {
   bool json = false;
 };
 
-/// Over all pixels and the three channels, of linear values.
-struct Difference {
-  double mse = 0;
-  double relmse = 0;  ///< mean((a - b)^2 / (b^2 + 0.01))
-  double max = 0;     ///< largest |a - b|
-  int max_x = 0, max_y = 0;
-  std::array<double, 3> mean{};  ///< of a - b per channel: bias, where noise cancels
-  std::size_t non_finite = 0;    ///< values that are NaN or infinite in either image
-};
-
-Difference difference(const Image& a, const Image& b) {
-  Difference result;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const double x = a.rgb[i], y = b.rgb[i];
-    if (!std::isfinite(x) || !std::isfinite(y)) {
-      ++result.non_finite;
-      continue;
-    }
-    const double d = x - y;
-    result.mse += d * d;
-    result.relmse += d * d / (y * y + 0.01);
-    result.mean[i % 3] += d;
-    if (std::abs(d) > result.max) {
-      result.max = std::abs(d);
-      const auto pixel = static_cast<int>(i / 3);
-      result.max_x = pixel % a.width;
-      result.max_y = pixel / a.width;
-    }
-  }
-  const auto values = static_cast<double>(std::max<std::size_t>(1, a.rgb.size()));
-  result.mse /= values;
-  result.relmse /= values;
-  for (double& mean : result.mean) mean *= 3 / values;
-  return result;
-}
-
 int compare(const CompareOptions& options) {
   const Image a = read_image(options.image);
   const Image b = read_image(options.reference);
@@ -68,8 +30,8 @@ int compare(const CompareOptions& options) {
         fmt::format("{} is {}x{} but {} is {}x{}: expected images of equal size", options.image,
                     a.width, a.height, options.reference, b.width, b.height));
   }
-  const Difference d = difference(a, b);
-  const double bias = (d.mean[0] + d.mean[1] + d.mean[2]) / 3;
+  const PictureDifference d = difference(a, b);
+  const double bias = d.bias();
   const bool gated = options.max_relmse >= 0;
   const bool passed = d.non_finite == 0 && (!gated || d.relmse <= options.max_relmse);
   if (options.json) {

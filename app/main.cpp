@@ -78,6 +78,7 @@ int run(int argc, char** argv) {
   add_compare(app, action);
   add_query(app, action);
   add_stress(app, action);
+  add_bench(app, action);
   app.footer("Without a subcommand: view. lightbench SUBCOMMAND --help lists its options.");
 
   std::vector<std::string> arguments(argv + 1, argv + argc);

@@ -41,8 +41,10 @@ void apply(Scene& scene, const std::string& flag, const std::string& text,
 }  // namespace
 
 void add_scene_options(CLI::App& app, SceneOptions& options, SceneArgument argument) {
-  auto* scene = app.add_option("SCENE", options.file, "Scene file (JSON)")->type_name("FILE");
-  if (argument == SceneArgument::Required) scene->required();
+  if (argument != SceneArgument::Separate) {
+    auto* scene = app.add_option("SCENE", options.file, "Scene file (JSON)")->type_name("FILE");
+    if (argument == SceneArgument::Required) scene->required();
+  }
   app.add_option("-D,--set", options.definitions,
                  "Set a value of the scene file before it is read; may be repeated")
       ->type_name("/POINTER=VALUE")

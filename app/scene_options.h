@@ -27,7 +27,8 @@ struct SceneOptions {
   std::string threads;
 };
 
-enum class SceneArgument { Required, Optional };
+/// Separate: the subcommand declares its own.
+enum class SceneArgument { Required, Optional, Separate };
 
 /// Declares SCENE and the options on a subcommand.
 void add_scene_options(CLI::App& app, SceneOptions& options, SceneArgument argument);

@@ -69,30 +69,11 @@ find_file(LIGHTBENCH_INTER_SEMIBOLD Inter-SemiBold.otf PATHS /usr/share/fonts/op
 if(NOT LIGHTBENCH_INTER OR NOT LIGHTBENCH_INTER_SEMIBOLD)
   message(FATAL_ERROR "The Inter fonts are missing: apt-get install fonts-inter")
 endif()
-set(fonts_dir ${CMAKE_CURRENT_BINARY_DIR}/fonts)
 set(icons_font
   ${external}/hello_imgui/hello_imgui/hello_imgui_assets/fonts/Font_Awesome_6_Free-Solid-900.otf)
-set(fonts_header "#pragma once\n// Font files as bytes; sizes in bytes.\n\n#include <cstddef>\n\n")
-string(APPEND fonts_header "extern \"C\" {\n")
-set(fonts_assembly ".section .rodata\n")
-foreach(font "font_inter;${LIGHTBENCH_INTER}" "font_inter_semibold;${LIGHTBENCH_INTER_SEMIBOLD}"
-             "font_icons;${icons_font}")
-  list(GET font 0 name)
-  list(GET font 1 file)
-  string(APPEND fonts_header
-    "extern const unsigned char ${name}_ttf[];\nextern const std::size_t ${name}_ttf_size;\n")
-  string(APPEND fonts_assembly
-    ".global ${name}_ttf, ${name}_ttf_size\n.balign 16\n${name}_ttf: .incbin \"${file}\"\n"
-    "1:\n.balign 8\n${name}_ttf_size: .quad 1b - ${name}_ttf\n")
-endforeach()
-string(APPEND fonts_header "}\n")
-string(APPEND fonts_assembly ".section .note.GNU-stack,\"\",@progbits\n")
-file(CONFIGURE OUTPUT ${fonts_dir}/lightbench_fonts.h CONTENT "${fonts_header}" @ONLY)
-file(CONFIGURE OUTPUT ${fonts_dir}/lightbench_fonts.S CONTENT "${fonts_assembly}" @ONLY)
-file(COPY_FILE ${icons_dir}/icons_font_awesome_6.h ${fonts_dir}/icons_font_awesome_6.h
-     ONLY_IF_DIFFERENT)
-add_library(lb_fonts STATIC ${fonts_dir}/lightbench_fonts.S)
-add_library(lb::fonts ALIAS lb_fonts)
-set_property(SOURCE ${fonts_dir}/lightbench_fonts.S PROPERTY OBJECT_DEPENDS
-  "${LIGHTBENCH_INTER};${LIGHTBENCH_INTER_SEMIBOLD};${icons_font}")
-target_include_directories(lb_fonts SYSTEM PUBLIC ${fonts_dir})
+lb_embed(fonts lightbench_fonts.h
+  font_inter_ttf ${LIGHTBENCH_INTER}
+  font_inter_semibold_ttf ${LIGHTBENCH_INTER_SEMIBOLD}
+  font_icons_ttf ${icons_font})
+file(COPY_FILE ${icons_dir}/icons_font_awesome_6.h
+     ${CMAKE_CURRENT_BINARY_DIR}/fonts/icons_font_awesome_6.h ONLY_IF_DIFFERENT)

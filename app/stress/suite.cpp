@@ -1,13 +1,10 @@
 #include "app/stress/suite.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <thread>
 
+#include "app/on_threads.h"
 #include "core/statistics/chi_square.h"
 
 namespace lightbench::stress {
@@ -28,33 +25,6 @@ double limit_of(const Line& line, const Subject& subject, std::uint64_t trials) 
     return -std::log10(statistics::sidak(line.significance, std::max<std::uint64_t>(trials, 1)));
   }
   return subject.strict ? line.limit_double : line.limit_auto;
-}
-
-/// Runs f(i) for all i in [begin, end) on so many threads; the first exception is thrown again.
-template <class F>
-void for_each_on_threads(std::uint64_t begin, std::uint64_t end, int threads, F f) {
-  std::atomic<std::uint64_t> next{begin};
-  std::exception_ptr error;
-  std::mutex mutex;
-  const auto work = [&] {
-    for (;;) {
-      const std::uint64_t i = next++;
-      if (i >= end) return;
-      try {
-        f(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!error) error = std::current_exception();
-        next = end;
-      }
-    }
-  };
-  std::vector<std::jthread> others;
-  const auto most = static_cast<std::uint64_t>(std::max(threads, 1));
-  for (std::uint64_t k = 1; k < std::min(most, end - begin); ++k) others.emplace_back(work);
-  work();
-  others.clear();
-  if (error) std::rethrow_exception(error);
 }
 
 std::uint64_t trials_of(const Test& test, const SuiteOptions& options) {

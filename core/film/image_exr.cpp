@@ -93,6 +93,17 @@ std::string encode_exr(const Image& image, const ImageMetadata& metadata,
   return std::move(stream.bytes);
 }
 
+ImageMetadata decode_exr_metadata(std::string_view bytes) {
+  MemoryInput stream(bytes);
+  const Imf::InputFile file(stream);
+  ImageMetadata metadata;
+  for (auto a = file.header().begin(); a != file.header().end(); ++a) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+    if (text != nullptr) metadata[a.name()] = text->value();
+  }
+  return metadata;
+}
+
 Image decode_exr(std::string_view bytes) {
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);

@@ -17,6 +17,8 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 27;
 // The strongest compression among the formats (deflate, 1032:1, of one-bit pixels) with room.
 constexpr std::int64_t kMostPixelsPerByte = 16384;
 
+constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
+
 std::string extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
   std::transform(text.begin(), text.end(), text.begin(),
@@ -41,7 +43,7 @@ std::string encode(const std::string& type, const Image& image, const Display& d
 Image decode(std::string_view bytes, bool srgb) {
   if (bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8"))
     return decode_8_bit(bytes, srgb);
-  if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes);
+  if (bytes.starts_with(kExrMagic)) return decode_exr(bytes);
   if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return decode_hdr(bytes);
   if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return decode_pfm(bytes);
   if (bytes.starts_with("P6")) return decode_ppm(bytes, srgb);
@@ -90,13 +92,29 @@ void write_image(const std::filesystem::path& file, const Image& image, const Di
   replace_file(file, bytes);
 }
 
-Image read_image(const std::filesystem::path& file, bool srgb) {
+namespace {
+
+/// f of the bytes of a file; what it throws becomes an error that names the file.
+template <class F>
+auto with_bytes(const std::filesystem::path& file, F f) {
   const std::string bytes = read_file(file);
   try {
-    return decode(bytes, srgb);
+    return f(std::string_view(bytes));
   } catch (const std::exception& error) {
     throw Error(ErrorKind::Scene, file.string() + ": cannot be read: " + error.what());
   }
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file, bool srgb) {
+  return with_bytes(file, [srgb](std::string_view bytes) { return decode(bytes, srgb); });
+}
+
+ImageMetadata read_image_metadata(const std::filesystem::path& file) {
+  return with_bytes(file, [](std::string_view bytes) {
+    return bytes.starts_with(kExrMagic) ? decode_exr_metadata(bytes) : ImageMetadata();
+  });
 }
 
 }  // namespace lightbench

@@ -24,6 +24,9 @@ void check_image_name(const std::filesystem::path& file);
 void write_image(const std::filesystem::path& file, const Image& image, const Display& display,
                  const ImageMetadata& metadata = {}, const std::vector<float>& variance = {});
 
+/// The text in the header of an EXR file; empty for other formats. Throws Error{Scene}.
+ImageMetadata read_image_metadata(const std::filesystem::path& file);
+
 /// Linear values of .png .jpg .exr .hdr .pfm .ppm (8-bit formats decoded from sRGB if `srgb`).
 /// Throws Error{Scene}.
 Image read_image(const std::filesystem::path& file, bool srgb = true);

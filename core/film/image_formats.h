@@ -32,6 +32,7 @@ Image decode_8_bit(std::string_view bytes, bool srgb);
 Image decode_ppm(std::string_view bytes, bool srgb);
 Image decode_hdr(std::string_view bytes);
 Image decode_exr(std::string_view bytes);
+ImageMetadata decode_exr_metadata(std::string_view bytes);
 Image decode_pfm(std::string_view bytes);
 
 /// Refuses sizes that a file of so many bytes cannot honestly hold, before memory is asked for.
