@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/picture_difference.h"
+#include "app/image_difference.h"
 #include "core/error.h"
 #include "core/film/image_file.h"
 
@@ -30,7 +30,7 @@ int compare(const CompareOptions& options) {
         fmt::format("{} is {}x{} but {} is {}x{}: expected images of equal size", options.image,
                     a.width, a.height, options.reference, b.width, b.height));
   }
-  const PictureDifference d = difference(a, b);
+  const ImageDifference d = difference(a, b);
   const double bias = d.bias();
   const bool gated = options.max_relmse >= 0;
   const bool passed = d.non_finite == 0 && (!gated || d.relmse <= options.max_relmse);

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "app/image_difference.h"
 #include "app/on_threads.h"
-#include "app/picture_difference.h"
 #include "app/version.h"
 #include "core/compile/render_scene.h"
 #include "core/error.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/picture_difference.h"
+#include "app/image_difference.h"
 #include "core/compile/render_scene.h"
 
 namespace lightbench::bench {
@@ -17,7 +17,7 @@ struct Rung {
   std::uint32_t spp = 0;
   double seconds = 0;
   Counters counters;
-  PictureDifference error;  ///< of the picture so far
+  ImageDifference error;  ///< of the picture so far
 };
 
 /// An independent render: the same film at 1, 2, 4, ... samples per pixel.

@@ -1,7 +1,7 @@
 // The compiler's part: floating point as written, with the flags of every kernel.
 
+#include "app/proof/arithmetic.h"
 #include "app/stress/suite.h"
-#include "core/arithmetic/checks.h"
 
 namespace lightbench::stress {
 

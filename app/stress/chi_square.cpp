@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/proof/chi_square.h"
 #include "app/stress/oracle.h"
 #include "app/stress/scenes.h"
 #include "app/stress/suite.h"
 #include "core/query/materials.h"
-#include "core/statistics/chi_square.h"
 
 namespace lightbench::stress {
 namespace {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/proof/chi_square.h"
 #include "app/stress/scenes.h"
 #include "app/stress/suite.h"
 #include "core/query/path.h"
-#include "core/statistics/chi_square.h"
 
 namespace lightbench::stress {
 namespace {

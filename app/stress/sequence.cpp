@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/proof/chi_square.h"
 #include "app/stress/kernel_functions.h"
 #include "app/stress/suite.h"
-#include "core/statistics/chi_square.h"
 
 namespace lightbench::stress {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/on_threads.h"
-#include "core/statistics/chi_square.h"
+#include "app/proof/chi_square.h"
 
 namespace lightbench::stress {
 namespace {

@@ -1,6 +1,6 @@
 // The test of the tests: a wrong p-value would let everything else here pass.
 
-#include "core/statistics/chi_square.h"
+#include "app/proof/chi_square.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-#include "core/statistics/chi_square.h"
+#include "app/proof/chi_square.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/arithmetic/checks.h"
+#include "app/proof/arithmetic.h"
 
 namespace lightbench {
 namespace {

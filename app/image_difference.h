@@ -13,7 +13,7 @@ namespace lightbench {
 inline constexpr double kRelativeFloor = 0.01;
 
 /// Over all pixels and the three channels, of linear values a (picture) and b (reference).
-struct PictureDifference {
+struct ImageDifference {
   double mse = 0;
   double relmse = 0;          ///< mean of (a - b)^2 / (b^2 + kRelativeFloor)
   double trimmed_relmse = 0;  ///< the same without the worst thousandth of the pixels
@@ -27,6 +27,6 @@ struct PictureDifference {
 };
 
 /// Both images must have the same size.
-PictureDifference difference(const Image& picture, const Image& reference);
+ImageDifference difference(const Image& picture, const Image& reference);
 
 }  // namespace lightbench

@@ -1,6 +1,6 @@
 #pragma once
-// Does the compiler keep floating point as written? The same checks (checks.inc) are compiled once
-// per instruction set, with the flags of the kernel of that name.
+// Does the compiler keep floating point as written? The same checks (arithmetic_target.inc) are
+// compiled once per instruction set, with the flags of the kernel of that name.
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "app/picture_difference.h"
+#include "app/image_difference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace lightbench {
 
-PictureDifference difference(const Image& picture, const Image& reference) {
-  PictureDifference result;
+ImageDifference difference(const Image& picture, const Image& reference) {
+  ImageDifference result;
   const std::size_t pixels = picture.pixel_count();
   std::vector<double> relative(pixels);  // summed over the channels
   for (std::size_t i = 0; i < picture.rgb.size(); ++i) {

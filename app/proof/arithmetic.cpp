@@ -1,4 +1,4 @@
-#include "core/arithmetic/checks.h"
+#include "app/proof/arithmetic.h"
 
 #include "core/compile/render_scene.h"
 

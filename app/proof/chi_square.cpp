@@ -1,4 +1,4 @@
-#include "core/statistics/chi_square.h"
+#include "app/proof/chi_square.h"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,2 @@
+#define ARITHMETIC_TARGET avx2
+#include "app/proof/arithmetic_target.inc"

@@ -1,0 +1,2 @@
+#define ARITHMETIC_TARGET baseline
+#include "app/proof/arithmetic_target.inc"

@@ -1,2 +1,0 @@
-#define ARITHMETIC_TARGET avx512
-#include "core/arithmetic/checks.inc"

@@ -1,2 +1,0 @@
-#define ARITHMETIC_TARGET baseline
-#include "core/arithmetic/checks.inc"
