@@ -7,6 +7,8 @@
 #include <limits>
 #include <variant>
 
+#include "core/compile/surface_gaps.h"
+
 namespace lightbench {
 namespace {
 
@@ -92,6 +94,12 @@ SceneReach measure_reach(const Scene& scene) {
     if (b.empty()) continue;
     reach.farthest = std::max({reach.farthest, largest_component(glm::abs(b.min - reach.center)),
                                largest_component(glm::abs(b.max - reach.center))});
+  }
+  const SurfaceGap gap = smallest_gap(scene, reach.roles, reach.farthest, reach.center);
+  if (gap.gap < reach.smallest) {
+    reach.smallest = gap.gap;
+    reach.smallest_object = "the gap between " + scene.objects[gap.first].name + " and " +
+                            scene.objects[gap.second].name;
   }
   return reach;
 }

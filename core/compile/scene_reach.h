@@ -27,9 +27,10 @@ struct SceneReach {
   std::vector<std::uint8_t> roles;             ///< of each object, see object_roles()
   double farthest = 0;                         ///< largest coordinate of a surface, from the center
   /// The smallest radius, height, thickness or altitude of any object; infinite without objects. Of
-  /// a mesh its longest side: triangles live in a space of their own and share their vertices.
+  /// a mesh its longest side: triangles live in a space of their own and share their vertices. A
+  /// gap that float would lose is a feature too (surface_gaps.h).
   double smallest = 0;
-  std::string smallest_object;  ///< its name
+  std::string smallest_object;  ///< its name, or those of the gap's two sides
 };
 
 /// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.

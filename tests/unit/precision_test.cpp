@@ -87,6 +87,60 @@ TEST(Precision, ACameraThatFliesOffTakesTheSceneWithIt) {
   EXPECT_EQ(back->kernel, best_kernel(Precision::Float));
 }
 
+// Two surfaces that float would confuse are a fine feature too.
+TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
+  const auto precision_with = [](const Shape& a, const Shape& b) {
+    Scene scene = spheres({});
+    for (const Shape& shape : {a, b}) {
+      Object object;
+      object.name = "it";
+      object.shape = shape;
+      object.material = 0;
+      scene.objects.push_back(object);
+    }
+    return precision_of(compile(scene, KernelKind::Auto)->kernel);
+  };
+  const auto box = [](double low, double high) {
+    return BoxShape{.min = {-1, low, -1}, .max = {1, high, 1}};
+  };
+  const auto plate = [](double y) {
+    return RectangleShape{.corner = {-0.5, y, 0.3}, .edge_u = {0.9, 0, 0}, .edge_v = {0, 0, -0.8}};
+  };
+  const CylinderShape can{.p0 = {0, 0, 0}, .p1 = {0, 1, 0}, .radius = 0.5};
+  const CylinderShape label{.p0 = {0, 0.2, 0}, .p1 = {0, 0.8, 0}, .radius = 0.5 + 1e-8};
+  struct Case {
+    const char* what;
+    Shape a, b;
+    Precision expected;
+  };
+  const std::vector<Case> cases{
+      {"shell", SphereShape{.radius = 1}, SphereShape{.radius = 1 + 1e-9}, Precision::Double},
+      {"eccentric shell", SphereShape{.radius = 1},
+       SphereShape{.center = {1e-8, 0, 0}, .radius = 1 + 2e-8}, Precision::Double},
+      {"shell with air", SphereShape{.radius = 1}, SphereShape{.radius = 1.001}, Precision::Float},
+      {"the same ball twice", SphereShape{.radius = 1}, SphereShape{.radius = 1}, Precision::Float},
+      {"balls that touch", SphereShape{.radius = 1}, SphereShape{.center = {2, 0, 0}, .radius = 1},
+       Precision::Float},
+      {"moves away", SphereShape{.radius = 1},
+       SphereShape{.radius = 1 + 1e-9, .motion = {0.5, 0, 0}}, Precision::Float},
+      {"decal", box(0, 1), plate(1 + 1e-8), Precision::Double},
+      {"decal upside down", plate(-1e-8), box(0, 1), Precision::Double},
+      {"decal well above", box(0, 1), plate(1.001), Precision::Float},
+      {"plate on a box", box(0, 1), plate(1), Precision::Float},
+      {"plate rounded onto a box", box(0, 1), plate(1 + 4e-16), Precision::Float},
+      {"box beside", box(0, 1), BoxShape{.min = {1, 1 + 1e-8, -1}, .max = {2, 2, 1}},
+       Precision::Float},
+      {"disc", plate(0), DiscShape{.center = {0, 1e-8, 0}, .normal = {0, -3, 0}, .radius = 0.2},
+       Precision::Double},
+      {"label on a can", can, label, Precision::Double},
+      {"cans end to end", can,
+       CylinderShape{.p0 = {0, 1, 0}, .p1 = {0, 2, 0}, .radius = 0.5 + 1e-8}, Precision::Float},
+      {"pyramid on a plate", plate(0),
+       PyramidShape{.vertices = {dvec3{-1, 1e-8, -1}, {1, 1e-8, -1}, {0, 1e-8, 1}, {0, 1, 0}}},
+       Precision::Double}};
+  for (const Case& c : cases) EXPECT_EQ(precision_with(c.a, c.b), c.expected) << c.what;
+}
+
 // Float at the largest range it is chosen for, against the exact answer for the very ray it traces.
 TEST(Precision, FloatFindsTheOutlineOfASphereAtItsLargestRange) {
   Scene scene = spheres({{.radius = 1}});
