@@ -91,11 +91,19 @@ double sampled_angle(const RenderScene& scene, const glm::dvec3& from, const Rul
   return sum;
 }
 
-/// The light as the kernel's numbers hold it: the corners of a sliver, rounded, fill another angle.
+/// The light as the kernel's numbers hold it: rounded corners and edges turn a flat one by some
+/// 1e-7, which shows where it is seen along its surface.
 Shape held_shape(const RenderScene& scene, const Shape& shape) {
-  const auto* t = std::get_if<TriangleShape>(&shape);
-  if (t == nullptr) return shape;
-  return TriangleShape{as_held(scene, t->a), as_held(scene, t->b), as_held(scene, t->c)};
+  if (const auto* t = std::get_if<TriangleShape>(&shape)) {
+    return TriangleShape{as_held(scene, t->a), as_held(scene, t->b), as_held(scene, t->c)};
+  }
+  if (const auto* r = std::get_if<RectangleShape>(&shape)) {
+    // The middle of a scene of one object, from which coordinates count.
+    const glm::dvec3 middle = r->corner + 0.5 * (r->edge_u + r->edge_v);
+    return RectangleShape{as_held(scene, r->corner), as_held(scene, middle + r->edge_u) - middle,
+                          as_held(scene, middle + r->edge_v) - middle};
+  }
+  return shape;
 }
 
 void add_angle(std::vector<Test>& tests, Kind kind, double limit) {
