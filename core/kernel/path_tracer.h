@@ -288,8 +288,9 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   const Mask roulette =
       going && paths.segments >= Int(static_cast<std::uint32_t>(scene.roulette_depth));
   if (any(roulette)) {
-    const Real survival =
-        min(max_component(paths.throughput) * paths.roulette_scale, Real(T(0.95)));
+    // Not below 1 for a path that has lost nothing: divided by less at every bounce, the throughput
+    // of a long one without losses (total reflection) would grow without limit.
+    const Real survival = min(max_component(paths.throughput) * paths.roulette_scale, Real(1));
     const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {
