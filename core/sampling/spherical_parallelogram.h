@@ -22,11 +22,12 @@ inline SphericalParallelogram select(Mask m, const SphericalParallelogram& a,
           select(m, a.height, b.height), select(m, a.first, b.first), select(m, a.half, b.half)};
 }
 
-inline SphericalParallelogram spherical_parallelogram(Vec corner, Vec u, Vec v) {
+/// `corner_lost` is what rounding took from the corner.
+inline SphericalParallelogram spherical_parallelogram(Vec corner, Vec corner_lost, Vec u, Vec v) {
   SphericalParallelogram s{corner, u, v, Real(0), Real(0), Real(0)};
   const Vec b = corner + u, c = b + v, d = corner + v;
   const Real la = length(corner), lb = length(b), lc = length(c), ld = length(d);
-  s.height = abs(dot(corner, cross(u, v)));
+  s.height = abs(triple_product(corner, corner_lost, u, v));
   s.first = half_solid_angle(corner, b, c, la, lb, lc, s.height);
   s.half = s.first + half_solid_angle(corner, c, d, la, lc, ld, s.height);
   return s;

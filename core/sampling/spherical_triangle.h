@@ -17,6 +17,25 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
+/// a b - c d, good to its last bits where fma() rounds once (Kahan).
+inline Real difference_of_products(Real a, Real b, Real c, Real d) {
+  const Real cd = c * d;
+  return fma(a, b, -cd) + fma(-c, d, cd);
+}
+
+/// a . b x c without the cancellation that a light seen at a grazing angle would suffer in float:
+/// the sum's rounding errors are put back. `a_lost` is what rounding took from a.
+inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
+  const Vec n{difference_of_products(b.y, c.z, b.z, c.y),
+              difference_of_products(b.z, c.x, b.x, c.z),
+              difference_of_products(b.x, c.y, b.y, c.x)};
+  const Vec p = a * n;
+  const Vec lost{fma(a.x, n.x, -p.x), fma(a.y, n.y, -p.y), fma(a.z, n.z, -p.z)};
+  const Real first = p.x + p.y, sum = first + p.z;
+  return sum + (difference_error(p.x, -p.y, first) + difference_error(first, -p.z, sum) +
+                (lost.x + lost.y + lost.z) + dot(a_lost, n));
+}
+
 /// Half the solid angle (0 to pi) of the triangle a, b, c relative to the viewpoint; la, lb, lc are
 /// their lengths and `determinant` is |a . (b - a) x (c - a)|, from the original edges.
 inline Real half_solid_angle(Vec a, Vec b, Vec c, Real la, Real lb, Real lc, Real determinant) {
@@ -33,7 +52,7 @@ inline Vec sample_spherical_fan(Vec p, Vec q, Vec pq, Vec pr, Real swept, Real v
   const Vec to_p = p * (Real(1) / length_p), to_q = normalize(q);
   const Vec side = cross(to_q, pq);  // along p x q
   const Real side2 = length_squared(side);
-  const Real determinant = dot(to_q, cross(pq, pr));
+  const Real determinant = triple_product(to_q, Vec(Real(0)), pq, pr);
   const Real y = abs(determinant), x = -dot(side, cross(to_q, pr - pq));
   const Real inverse = Real(1) / sqrt(fma(y, y, x * x));
   const Real sin_a = y * inverse, cos_a = x * inverse;

@@ -87,7 +87,7 @@ struct BoxView {
   SphericalParallelogram face[3];
   Vec side;      ///< of the point: the sign of the outward normal of each face
   Real total;    ///< half the solid angle of the box
-  Mask outside;  ///< of at least one face
+  Mask outside;  ///< of at least one face, beyond rounding
 };
 
 inline BoxView view_box(const Box& s, Vec from) {
@@ -97,16 +97,18 @@ inline BoxView view_box(const Box& s, Vec from) {
   const Vec low = -h - f, near = h * r.side - f;
   const Vec x{h.x * Real(2), Real(0), Real(0)}, y{Real(0), h.y * Real(2), Real(0)},
       z{Real(0), Real(0), h.z * Real(2)};
-  r.face[0] = spherical_parallelogram({near.x, low.y, low.z}, y, z);
-  r.face[1] = spherical_parallelogram({low.x, near.y, low.z}, z, x);
-  r.face[2] = spherical_parallelogram({low.x, low.y, near.z}, x, y);
+  const Vec exact(Real(0));  // a face seen edge on is not seen alone
+  r.face[0] = spherical_parallelogram({near.x, low.y, low.z}, exact, y, z);
+  r.face[1] = spherical_parallelogram({low.x, near.y, low.z}, exact, z, x);
+  r.face[2] = spherical_parallelogram({low.x, low.y, near.z}, exact, x, y);
   const Mask seen[3] = {abs(f.x) > h.x, abs(f.y) > h.y, abs(f.z) > h.z};
   r.total = Real(0);
   for (unsigned i = 0; i < 3; ++i) {
     r.face[i].half = select(seen[i], r.face[i].half, Real(0));
     r.total += r.face[i].half;
   }
-  r.outside = seen[0] || seen[1] || seen[2];
+  const Real margin = Real(kSurfaceMargin) * (h.x + h.y + h.z);
+  r.outside = max_component(Vec{abs(f.x), abs(f.y), abs(f.z)} - h) > margin;
   return r;
 }
 

@@ -145,8 +145,10 @@ inline CylinderView view_cylinder(const Cylinder& c, Vec from) {
   const Real height = dot(f, c.axis);
   const Vec off = madd(c.axis, -height, f);
   const Real rho = length(off);
-  v.beside = rho > c.radius;
-  v.beyond = abs(height) > c.half;
+  const Real margin = Real(kSurfaceMargin) * (c.radius + c.half);
+  const Mask outside = max(rho - c.radius, abs(height) - c.half) > margin;
+  v.beside = outside && rho > c.radius;
+  v.beyond = outside && abs(height) > c.half;
   if (any(v.beside)) {
     CylinderSide& s = v.side;
     const Real inverse = Real(1) / c.radius;
@@ -260,8 +262,9 @@ inline EllipticCylinderView view_elliptic_cylinder(const EllipticCylinder& e, Ve
   r.local = e.to_local.point(from);
   const Vec off{r.local.x, Real(0), r.local.z};
   const Real rho = length(off);
-  v.beside = rho > Real(1);
-  v.beyond = abs(r.local.y) > Real(1);
+  const Mask outside = max(rho, abs(r.local.y)) - Real(1) > Real(kSurfaceMargin);
+  v.beside = outside && rho > Real(1);
+  v.beyond = outside && abs(r.local.y) > Real(1);
   r.local_x = off * (Real(-1) / rho);
   r.local_y = {r.local_x.z, Real(0), -r.local_x.x};
   if (any(v.beside)) {

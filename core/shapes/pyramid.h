@@ -113,13 +113,14 @@ inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t, Coordin
 struct PyramidView {
   Real half[4];
   Real total;    ///< half the solid angle of the pyramid
-  Mask outside;  ///< of at least one face
+  Mask outside;  ///< of at least one face, beyond rounding
 };
 
 inline PyramidView view_pyramid(const Pyramid& s, Vec from) {
   const Vec w[4] = {s.v0 - from, s.v0 + s.edge[0] - from, s.v0 + s.edge[1] - from,
                     s.v0 + s.edge[2] - from};
   const Real l[4] = {length(w[0]), length(w[1]), length(w[2]), length(w[3])};
+  const Real margin = Real(kSurfaceMargin) * (l[0] + l[1] + l[2] + l[3]);
   constexpr unsigned kVertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   PyramidView r;
   r.total = Real(0);
@@ -131,7 +132,7 @@ inline PyramidView view_pyramid(const Pyramid& s, Vec from) {
     const Mask seen = height > Real(0);
     r.half[i] = select(seen, half_solid_angle(w[a], w[b], w[c], l[a], l[b], l[c], height), Real(0));
     r.total += r.half[i];
-    r.outside = r.outside || seen;
+    r.outside = r.outside || -dot(s.n[i], w[a]) > margin;
   }
   return r;
 }

@@ -36,15 +36,20 @@ inline Surface surface_rectangle(const Rectangle& s, const Ray& ray, Real t, Coo
   return r;
 }
 
+inline SphericalParallelogram view_rectangle(const Rectangle& s, Vec from) {
+  const Vec corner = s.corner - from;
+  return spherical_parallelogram(corner, difference_error(s.corner, from, corner), s.u, s.v);
+}
+
 /// Uniform over the solid angle.
 inline LightSample sample_rectangle(const Rectangle& s, Vec from, Vec2 u) {
-  const SphericalParallelogram q = spherical_parallelogram(s.corner - from, s.u, s.v);
+  const SphericalParallelogram q = view_rectangle(s, from);
   const Vec d = sample_spherical_parallelogram(q, u.x * q.half, u.y);
   return toward_plane(d, q.corner, s.n, T(0.5) / q.half);
 }
 
 inline Real pdf_rectangle(const Rectangle& s, Vec from) {
-  return T(0.5) / spherical_parallelogram(s.corner - from, s.u, s.v).half;
+  return T(0.5) / view_rectangle(s, from).half;
 }
 
 LIGHTBENCH_KERNEL_END

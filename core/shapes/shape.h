@@ -68,6 +68,11 @@ inline ClosestApproach closest_approach(Vec o, Vec center, Vec d, Real inverse_d
   return {t + step, madd(d, step, p)};
 }
 
+/// A point nearer than this (in sizes of the shape) to the surface of a solid counts as inside for
+/// light sampling, where all directions are alike: a point that leaves the inner side is only
+/// further in by the rounding of its coordinates, and its distance to the face is rounded too.
+inline constexpr T kSurfaceMargin = T(64) * kEpsilon;
+
 /// True where t is the exit of the interval rather than its entry.
 inline Mask at_exit(const Interval& i, Real t) { return abs(t - i.far) < abs(t - i.near); }
 
@@ -102,8 +107,7 @@ inline LightSample toward_point(Vec w, Vec n, Real pdf_area) {
 /// Completes a sample of a flat light from its unit direction d; `point` is any point of the plane
 /// relative to the reference point, n its unit normal.
 inline LightSample toward_plane(Vec d, Vec point, Vec n, Real pdf) {
-  // Both signs are those of the same side, but for rounding where the plane is seen edge on.
-  const Real t = abs(dot(n, point)) / abs(dot(n, d));
+  const Real t = dot(n, point) / dot(n, d);
   return {d, n, t, pdf, t > Real(0) && t < Real(kInfinity) && pdf < Real(kInfinity)};
 }
 

@@ -116,7 +116,8 @@ inline Surface surface_triangle(const Triangle& s, Real b1, Real b2, Coordinates
 /// pdf of its samples: 1 / solid angle.
 inline Real pdf_triangle(const Triangle& s, Vec from) {
   const Vec a = s.a - from, b = s.b - from, c = s.c - from;
-  const Real determinant = abs(dot(a, cross(s.b - s.a, s.c - s.a)));
+  const Real determinant =
+      abs(triple_product(a, difference_error(s.a, from, a), s.b - s.a, s.c - s.a));
   return T(0.5) / half_solid_angle(a, b, c, length(a), length(b), length(c), determinant);
 }
 
