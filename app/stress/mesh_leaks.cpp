@@ -140,13 +140,13 @@ void add(std::vector<Test>& tests, const std::string& name, const std::string& w
 
 void add_mesh_leak_tests(std::vector<Test>& tests) {
   // The bumpy star is star-shaped around its middle, and everything within .1 of it is inside.
-  add(tests, "a sphere mesh", "closed UV sphere of 100 x 200", {1}, 0.5, 400'000,
+  add(tests, "a sphere mesh", "closed UV sphere of 100 x 200", {1}, 0.5, 3'200'000,
       [](double) { return sphere_mesh(); });
-  add(tests, "a bumpy star", "closed star with bumps, 100 x 200", {1}, 0.1, 400'000,
+  add(tests, "a bumpy star", "closed star with bumps, 100 x 200", {1}, 0.1, 3'200'000,
       [](double) { return star_mesh(); });
-  add(tests, "a cube of 12 triangles", "half sizes 1, 100 and 10000", {1, 100, 1e4}, 0.57, 400'000,
-      [](double half) { return cube_mesh(half); });
-  add(tests, "fans of needles", "two fans of 2000 needles with a common rim", {1}, 0.2, 60'000,
+  add(tests, "a cube of 12 triangles", "half sizes 1, 100 and 10000", {1, 100, 1e4}, 0.57,
+      3'200'000, [](double half) { return cube_mesh(half); });
+  add(tests, "fans of needles", "two fans of 2000 needles with a common rim", {1}, 0.2, 400'000,
       [](double) { return fan_mesh(); });
 }
 

@@ -44,7 +44,8 @@ inline Ray camera_ray(const CameraView<T>& camera, Real x, Real y, const Sampler
     // right and up are as long as half the picture at distance 1; the lens wants them unit.
     const Vec offset = normalize(vec(camera.right)) * (lens.x * camera.lens_radius) +
                        normalize(vec(camera.up)) * (lens.y * camera.lens_radius);
-    ray.d = ray.d * Real(camera.focus_distance) - offset;
+    // Towards the same point at the focus distance, in the form that a vanishing lens leaves alone.
+    ray.d = madd(offset, Real(T(-1) / camera.focus_distance), ray.d);
     ray.o = ray.o + offset;
   }
   ray.d = normalize(ray.d);

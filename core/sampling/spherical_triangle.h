@@ -17,23 +17,37 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// a b - c d, good to its last bits where fma() rounds once (Kahan).
-inline Real difference_of_products(Real a, Real b, Real c, Real d) {
-  const Real cd = c * d;
-  return fma(a, b, -cd) + fma(-c, d, cd);
+/// b x c and what rounding took from it.
+struct ExactCross {
+  Vec value, lost;
+};
+inline ExactCross exact_cross(Vec b, Vec c) {
+  const auto component = [](Real w, Real x, Real y, Real z, Real& value, Real& lost) {
+    const Real wx = w * x, yz = y * z;
+    value = wx - yz;
+    lost = difference_error(wx, yz, value) + (fma(w, x, -wx) - fma(y, z, -yz));
+  };
+  ExactCross n;
+  component(b.y, c.z, b.z, c.y, n.value.x, n.lost.x);
+  component(b.z, c.x, b.x, c.z, n.value.y, n.lost.y);
+  component(b.x, c.y, b.y, c.x, n.value.z, n.lost.z);
+  return n;
 }
 
 /// a . b x c without the cancellation that a light seen at a grazing angle would suffer in float:
-/// the sum's rounding errors are put back. `a_lost` is what rounding took from a.
-inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
-  const Vec n{difference_of_products(b.y, c.z, b.z, c.y),
-              difference_of_products(b.z, c.x, b.x, c.z),
-              difference_of_products(b.x, c.y, b.y, c.x)};
-  const Vec p = a * n;
-  const Vec lost{fma(a.x, n.x, -p.x), fma(a.y, n.y, -p.y), fma(a.z, n.z, -p.z)};
+/// rounding errors are put back. `a_lost`, `b_lost` and `c_lost` are what rounding took from the
+/// three.
+inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec b_lost, Vec c, Vec c_lost) {
+  const ExactCross n = exact_cross(b, c);
+  const Vec p = a * n.value;
+  const Vec lost{fma(a.x, n.value.x, -p.x), fma(a.y, n.value.y, -p.y), fma(a.z, n.value.z, -p.z)};
   const Real first = p.x + p.y, sum = first + p.z;
+  const Vec n_lost = n.lost + cross(b_lost, c) + cross(b, c_lost);
   return sum + (difference_error(p.x, -p.y, first) + difference_error(first, -p.z, sum) +
-                (lost.x + lost.y + lost.z) + dot(a_lost, n));
+                (lost.x + lost.y + lost.z) + dot(a_lost, n.value) + dot(a, n_lost));
+}
+inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
+  return triple_product(a, a_lost, b, Vec(Real(0)), c, Vec(Real(0)));
 }
 
 /// Half the solid angle (0 to pi) of the triangle a, b, c relative to the viewpoint; la, lb, lc are

@@ -116,9 +116,12 @@ inline Surface surface_triangle(const Triangle& s, Real b1, Real b2, Coordinates
 /// pdf of its samples: 1 / solid angle.
 inline Real pdf_triangle(const Triangle& s, Vec from) {
   const Vec a = s.a - from, b = s.b - from, c = s.c - from;
+  const Vec e1 = s.b - s.a, e2 = s.c - s.a;
+  // What rounding takes from the edges tilts a sliver.
   const Real determinant =
-      abs(triple_product(a, difference_error(s.a, from, a), s.b - s.a, s.c - s.a));
-  return T(0.5) / half_solid_angle(a, b, c, length(a), length(b), length(c), determinant);
+      triple_product(a, difference_error(s.a, from, a), e1, difference_error(s.b, s.a, e1), e2,
+                     difference_error(s.c, s.a, e2));
+  return T(0.5) / half_solid_angle(a, b, c, length(a), length(b), length(c), abs(determinant));
 }
 
 /// Uniform over the solid angle.
