@@ -10,7 +10,6 @@
 #include "app/commands.h"
 #include "app/scene_options.h"
 #include "core/compile/render_scene.h"
-#include "core/compile/scene_reach.h"
 #include "core/format.h"
 
 namespace lightbench {
@@ -104,6 +103,8 @@ Json describe(const SceneOptions& options) {
       {"kernel", kernel_name(compiled->kernel)},
       {"range", stats.range},
       {"smallestObject", stats.smallest_object},
+      {"precision", stats.precision == Precision::Float ? "float" : "double"},
+      {"precisionReason", stats.precision_reason},
       {"features", features},
       {"warnings", warnings(scene, stats)},
   };
@@ -156,14 +157,8 @@ void print_text(const Json& info) {
                   format_bytes(info["filmBytes"].get<std::uint64_t>())));
   row("kernel", fmt::format("{}, compiled in {:.2f} ms", info["kernel"].get<std::string>(),
                             1000 * info["compileSeconds"].get<double>()));
-  const auto smallest = info["smallestObject"].get<std::string>();
-  if (!smallest.empty()) {
-    const auto range = info["range"].get<double>();
-    row("precision",
-        fmt::format("{}: the scene reaches {:.3g} times as far as its smallest "
-                    "feature ({}); float does up to {:.0f}",
-                    range <= kFloatRange ? "float" : "double", range, smallest, kFloatRange));
-  }
+  row("precision",
+      info["precision"].get<std::string>() + ": " + info["precisionReason"].get<std::string>());
   row("used", used.empty() ? "nothing" : used);
   row("skipped", skipped.empty() ? "nothing" : skipped);
   for (const Json& warning : info["warnings"]) row("warning", warning.get<std::string>());

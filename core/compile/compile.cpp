@@ -224,6 +224,8 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
   result->stats.kernel = kernel;
   result->stats.range = range_of(*reach, scene.camera);
   result->stats.smallest_object = reach->smallest_object;
+  result->stats.precision = needed_precision(*reach, scene.camera);
+  result->stats.precision_reason = precision_reason(*reach, scene.camera);
   parts->kernel = std::move(p);
   parts->reach = std::move(reach);
   result->parts = std::move(parts);
@@ -243,10 +245,7 @@ std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel
   } else {
     reach = std::make_shared<const SceneReach>(measure_reach(scene));
   }
-  if (kernel == KernelKind::Auto) {
-    const bool fine = range_of(*reach, scene.camera) <= kFloatRange;
-    kernel = best_kernel(fine ? Precision::Float : Precision::Double);
-  }
+  if (kernel == KernelKind::Auto) kernel = best_kernel(needed_precision(*reach, scene.camera));
   return precision_of(kernel) == Precision::Double
              ? compile_for<double>(scene, kernel, std::move(reach), previous, change)
              : compile_for<float>(scene, kernel, std::move(reach), previous, change);

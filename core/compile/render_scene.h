@@ -51,8 +51,10 @@ struct RenderStats {
   std::int64_t lights = 0;                 ///< emitters the light sampler can choose
   std::int64_t bytes = 0;                  ///< memory of the compiled scene
   KernelKind kernel = KernelKind::Scalar;  ///< never Auto
-  double range = 1;                        ///< what Auto judges the precision by, scene_reach.h
+  double range = 1;                        ///< farthest over smallest feature, scene_reach.h
   std::string smallest_object;             ///< the object with the smallest feature
+  Precision precision = Precision::Float;  ///< what Auto chooses ...
+  std::string precision_reason;            ///< ... and why, in a sentence
   double compile_seconds = 0;
   Change rebuilt = Change::None;  ///< what this compile rebuilt; the rest is shared with `previous`
   std::vector<Feature> features;

@@ -1,5 +1,7 @@
 #include "core/compile/scene_reach.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -11,6 +13,10 @@
 
 namespace lightbench {
 namespace {
+
+std::string named(const std::string& object) {
+  return object.empty() ? "an object without a name" : object;
+}
 
 double smallest_component(const glm::dvec3& v) { return std::min({v.x, v.y, v.z}); }
 double largest_component(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -95,19 +101,50 @@ SceneReach measure_reach(const Scene& scene) {
     reach.farthest = std::max({reach.farthest, largest_component(glm::abs(b.min - reach.center)),
                                largest_component(glm::abs(b.max - reach.center))});
   }
-  const SurfaceGap gap = smallest_gap(scene, reach.roles, reach.farthest, reach.center);
-  if (gap.gap < reach.smallest) {
-    reach.smallest = gap.gap;
-    reach.smallest_object = "the gap between " + scene.objects[gap.first].name + " and " +
-                            scene.objects[gap.second].name;
+  const double away = largest_component(glm::abs(reach.center)) + reach.farthest;
+  // As close as transforms in double leave what is meant to coincide.
+  const double contact = std::max(0x1p-40 * reach.farthest, 0x1p-48 * away);
+  // Larger gaps are lost only to eyes for which the range asks for double anyway.
+  const SurfaceGap gap = smallest_gap(scene, reach.roles, reach.center, contact,
+                                      kFloatGap * kFloatRange * reach.smallest);
+  reach.gap = gap.gap;
+  if (std::isfinite(gap.gap)) {
+    reach.gap_between = {scene.objects[gap.first].name, scene.objects[gap.second].name};
   }
   return reach;
 }
 
+namespace {
+
+double eye_distance(const SceneReach& reach, const Camera& camera) {
+  return std::max(reach.farthest, largest_component(glm::abs(camera.look_from - reach.center)));
+}
+
+}  // namespace
+
 double range_of(const SceneReach& reach, const Camera& camera) {
-  if (!std::isfinite(reach.smallest)) return 1;
-  const double eye = largest_component(glm::abs(camera.look_from - reach.center));
-  return std::max(reach.farthest, eye) / reach.smallest;
+  return std::isfinite(reach.smallest) ? eye_distance(reach, camera) / reach.smallest : 1;
+}
+
+Precision needed_precision(const SceneReach& reach, const Camera& camera) {
+  const bool enough = range_of(reach, camera) <= kFloatRange &&
+                      !(reach.gap < kFloatGap * eye_distance(reach, camera));
+  return enough ? Precision::Float : Precision::Double;
+}
+
+std::string precision_reason(const SceneReach& reach, const Camera& camera) {
+  const double range = range_of(reach, camera);
+  if (range <= kFloatRange && needed_precision(reach, camera) == Precision::Double) {
+    return fmt::format(
+        "the surfaces of {} and {} are {:.3g} apart, seen from {:.3g}; float tells "
+        "them apart down to {:.3g}",
+        named(reach.gap_between[0]), named(reach.gap_between[1]), reach.gap,
+        eye_distance(reach, camera), kFloatGap * eye_distance(reach, camera));
+  }
+  if (!std::isfinite(reach.smallest)) return "nothing to see";
+  return fmt::format(
+      "the scene reaches {:.3g} times as far as its smallest feature ({}); float does up to {:.0f}",
+      range, named(reach.smallest_object), kFloatRange);
 }
 
 }  // namespace lightbench

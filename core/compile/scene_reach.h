@@ -3,11 +3,14 @@
 // Float positions in render space are good to 2^-24 of the farthest coordinate; where that is
 // coarse against the smallest feature, double lanes trace.
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/compile/render_scene.h"
 #include "core/compile/render_space.h"
 #include "core/scene/scene.h"
 
@@ -27,10 +30,13 @@ struct SceneReach {
   std::vector<std::uint8_t> roles;             ///< of each object, see object_roles()
   double farthest = 0;                         ///< largest coordinate of a surface, from the center
   /// The smallest radius, height, thickness or altitude of any object; infinite without objects. Of
-  /// a mesh its longest side: triangles live in a space of their own and share their vertices. A
-  /// gap that float would lose is a feature too (surface_gaps.h).
+  /// a mesh its longest side: triangles live in a space of their own and share their vertices.
   double smallest = 0;
-  std::string smallest_object;  ///< its name, or those of the gap's two sides
+  std::string smallest_object;  ///< its name
+  /// The smallest gap between surfaces that lie over each other (surface_gaps.h), if float could
+  /// lose it to some eye; else infinite.
+  double gap = std::numeric_limits<double>::infinity();
+  std::array<std::string, 2> gap_between;
 };
 
 /// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.
@@ -40,5 +46,10 @@ SceneReach measure_reach(const Scene& scene);
 
 /// The farthest surface or camera position over the smallest feature; 1 without objects.
 double range_of(const SceneReach& reach, const Camera& camera);
+
+/// Double where the range is beyond kFloatRange or a gap is lost to float, from this eye.
+Precision needed_precision(const SceneReach& reach, const Camera& camera);
+/// Why, for people.
+std::string precision_reason(const SceneReach& reach, const Camera& camera);
 
 }  // namespace lightbench

@@ -18,6 +18,10 @@ namespace {
 using glm::dot;
 using glm::dvec3;
 
+/// A direction that nothing in a scene is likely to follow: along it neighbours are few, and across
+/// it is no face.
+const dvec3 kAside(1, 0.7548776662466927, 0.5698402909980532);
+
 /// A sphere when the shutter opens, and its motion until it closes; or the side of a cylinder: its
 /// axis from `center` along `along`.
 struct Round {
@@ -25,6 +29,7 @@ struct Round {
   dvec3 center, along;
   double radius;
   bool cylinder;
+  double place = 0;  ///< along kAside
 };
 
 /// A flat face. `height` is that of its plane over the scene's center.
@@ -46,9 +51,7 @@ struct Surfaces {
     if (!(length(across) > 0)) return;
     Face f{object, corners, normalize(across), 0, {}};
     // One sign for both sides of a plane.
-    const dvec3 size = glm::abs(f.n);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    if (f.n[axis] < 0) f.n = -f.n;
+    if (dot(f.n, kAside) < 0) f.n = -f.n;
     f.height = dot(f.n, corners[0] - center);
     for (const dvec3& c : corners) f.bounds.add(c);
     faces.push_back(f);
@@ -122,6 +125,9 @@ Surfaces collect(const Scene& scene, std::span<const std::uint8_t> roles, const 
   return surfaces;
 }
 
+/// Cosine above which faces count as parallel; how far they are from it their corners tell.
+constexpr double kParallel = 0.99;
+
 /// Farthest that b is from a anywhere; both of one kind.
 double gap_of(const Round& a, const Round& b) {
   const double radii = std::abs(a.radius - b.radius);
@@ -159,23 +165,31 @@ double gap_of(const Face& a, const Face& b, double limit) {
 
 }  // namespace
 
-SurfaceGap smallest_gap(const Scene& scene, std::span<const std::uint8_t> roles, double farthest,
-                        const dvec3& center) {
-  const double limit = kFloatGap * farthest, contact = kContactGap * farthest;
+SurfaceGap smallest_gap(const Scene& scene, std::span<const std::uint8_t> roles,
+                        const dvec3& center, double contact, double limit) {
   Surfaces surfaces = collect(scene, roles, center);
   SurfaceGap found;
+  found.gap = limit;
   const auto keep = [&](double gap, std::size_t a, std::size_t b) {
-    if (a != b && gap > contact && gap < limit && gap < found.gap) found = {gap, a, b};
+    if (a != b && gap > contact && gap < found.gap) found = {gap, a, b};
   };
   auto& [rounds, faces, unused] = surfaces;
-  // Close surfaces are neighbours in one coordinate; few others are.
-  const auto place = [](const Round& r) { return r.cylinder ? r.radius : r.center.x; };
-  std::sort(rounds.begin(), rounds.end(), [&](const Round& a, const Round& b) {
-    return std::pair(a.cylinder, place(a)) < std::pair(b.cylinder, place(b));
+  // Close surfaces are neighbours along a line; few others are. Of a cylinder counts the point of
+  // its axis that is nearest to the scene's center.
+  const auto place = [&](const Round& r) {
+    const dvec3 from = r.center - center;
+    const dvec3 foot =
+        r.cylinder ? from - r.along * (dot(from, r.along) / dot(r.along, r.along)) : from;
+    return dot(foot, kAside);
+  };
+  for (Round& r : rounds) r.place = place(r);
+  std::sort(rounds.begin(), rounds.end(), [](const Round& a, const Round& b) {
+    return std::pair(a.cylinder, a.place) < std::pair(b.cylinder, b.place);
   });
+  const double reach = length(kAside);
   for (std::size_t i = 0; i < rounds.size(); ++i) {
     for (std::size_t k = i + 1; k < rounds.size() && rounds[k].cylinder == rounds[i].cylinder &&
-                                place(rounds[k]) - place(rounds[i]) < limit;
+                                rounds[k].place - rounds[i].place < reach * found.gap;
          ++k) {
       keep(gap_of(rounds[i], rounds[k]), rounds[i].object, rounds[k].object);
     }
@@ -187,11 +201,12 @@ SurfaceGap smallest_gap(const Scene& scene, std::span<const std::uint8_t> roles,
     const auto apart = std::upper_bound(
         faces.begin() + static_cast<std::ptrdiff_t>(i), faces.end(), faces[i].height + contact,
         [](double height, const Face& f) { return height < f.height; });
-    for (auto k = apart; k != faces.end() && k->height - faces[i].height < limit; ++k) {
-      keep(gap_of(faces[i], *k, limit), faces[i].object, k->object);
+    for (auto k = apart; k != faces.end() && k->height - faces[i].height < found.gap; ++k) {
+      if (std::abs(dot(faces[i].n, k->n)) < kParallel) continue;
+      keep(gap_of(faces[i], *k, found.gap), faces[i].object, k->object);
     }
   }
-  return found;
+  return found.gap < limit ? found : SurfaceGap();
 }
 
 }  // namespace lightbench

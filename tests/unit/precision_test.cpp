@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
 
 #include "core/compile/render_scene.h"
@@ -118,6 +119,8 @@ TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
       {"eccentric shell", SphereShape{.radius = 1},
        SphereShape{.center = {1e-8, 0, 0}, .radius = 1 + 2e-8}, Precision::Double},
       {"shell with air", SphereShape{.radius = 1}, SphereShape{.radius = 1.001}, Precision::Float},
+      {"shells of two sizes", SphereShape{.center = {0, 0, -1}, .radius = 1},
+       SphereShape{.center = {0, 0, -1}, .radius = 1.0001}, Precision::Float},
       {"the same ball twice", SphereShape{.radius = 1}, SphereShape{.radius = 1}, Precision::Float},
       {"balls that touch", SphereShape{.radius = 1}, SphereShape{.center = {2, 0, 0}, .radius = 1},
        Precision::Float},
@@ -132,6 +135,15 @@ TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
        Precision::Float},
       {"disc", plate(0), DiscShape{.center = {0, 1e-8, 0}, .normal = {0, -3, 0}, .radius = 0.2},
        Precision::Double},
+      {"slanted plates",
+       RectangleShape{.corner = {0, 0, 0}, .edge_u = {1, 1, 0}, .edge_v = {0, 0, 1}},
+       RectangleShape{.corner = {1e-8, -1e-8, 0}, .edge_u = {1, 1, 0}, .edge_v = {0, 0, 1}},
+       Precision::Double},
+      {"slanted plates, the other way",
+       RectangleShape{.corner = {0, 0, 0}, .edge_u = {0.1, -0.1, 0}, .edge_v = {0.7, 0, 0.7}},
+       RectangleShape{
+           .corner = {1e-8, 1e-8, -1e-8}, .edge_u = {0.3, -0.3, 0}, .edge_v = {0.7, 0, 0.7}},
+       Precision::Double},
       {"label on a can", can, label, Precision::Double},
       {"cans end to end", can,
        CylinderShape{.p0 = {0, 1, 0}, .p1 = {0, 2, 0}, .radius = 0.5 + 1e-8}, Precision::Float},
@@ -139,6 +151,68 @@ TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
        PyramidShape{.vertices = {dvec3{-1, 1e-8, -1}, {1, 1e-8, -1}, {0, 1e-8, 1}, {0, 1, 0}}},
        Precision::Double}};
   for (const Case& c : cases) EXPECT_EQ(precision_with(c.a, c.b), c.expected) << c.what;
+}
+
+// From afar float loses wider gaps.
+TEST(Precision, AnEyeFarFromAGapAsksForDouble) {
+  Scene scene = spheres({{.radius = 1}, {.radius = 1.00004}});
+  const auto near = compile(scene, KernelKind::Auto);
+  EXPECT_EQ(near->kernel, best_kernel(Precision::Float));
+  scene.camera.look_from = {0, 0, 1000};
+  const auto far = compile(scene, KernelKind::Auto, near.get(), Change::Camera);
+  EXPECT_EQ(far->kernel, best_kernel(Precision::Double));
+  EXPECT_NE(far->stats.precision_reason.find("r1.000000 and r1.000040"), std::string::npos)
+      << far->stats.precision_reason;
+}
+
+// What coincides is rounded apart by as much as a double holds far from 0.
+TEST(Precision, MovingASceneAsksForNothing) {
+  for (const double away : {0.0, 1e5, 1e7}) {
+    Scene scene = spheres({});
+    scene.camera.look_from = dvec3(away, away, away + 5);
+    scene.camera.look_at = dvec3(away);
+    const auto put = [&](const Shape& shape, double degrees) {
+      Object object;
+      object.shape = shape;
+      object.material = 0;
+      object.transform.translation = dvec3(away);
+      object.transform.axis = {0, 1, 0};
+      object.transform.degrees = degrees;
+      scene.objects.push_back(object);
+    };
+    put(RectangleShape{.corner = {-3, 0, 3}, .edge_u = {6, 0, 0}, .edge_v = {0, 0, -6}}, 0);
+    for (int i = 0; i < 8; ++i) {
+      put(BoxShape{.min = {-0.3, 0, -0.3}, .max = {0.7, 0.1 + i, 0.4}}, 11.0 * i);
+    }
+    EXPECT_EQ(compile(scene, KernelKind::Auto)->kernel, best_kernel(Precision::Float)) << away;
+  }
+}
+
+// Many objects alike do not cost the square of their number.
+TEST(Precision, GapsAreFoundAmongManyObjects) {
+  Scene scene = spheres({});
+  for (int i = 0; i < 150; ++i) {
+    for (int k = 0; k < 150; ++k) {
+      Object object;
+      object.material = 0;
+      const dvec3 foot(3.0 * i, 0, 3.0 * k);
+      if ((i + k) % 2 == 0) {
+        object.shape = CylinderShape{.p0 = foot, .p1 = foot + dvec3(0, 2, 0), .radius = 0.5};
+      } else {
+        object.shape = SphereShape{.center = foot, .radius = 0.5};
+      }
+      scene.objects.push_back(object);
+    }
+  }
+  EXPECT_EQ(measure_reach(scene).gap, std::numeric_limits<double>::infinity());
+  Object shell = scene.objects[12345];
+  std::visit(
+      [](auto& shape) {
+        if constexpr (requires { shape.radius; }) shape.radius += 1e-6;
+      },
+      shell.shape);
+  scene.objects.push_back(shell);
+  EXPECT_NEAR(measure_reach(scene).gap, 1e-6, 1e-12);
 }
 
 // Float at the largest range it is chosen for, against the exact answer for the very ray it traces.
