@@ -114,7 +114,7 @@ TEST(Liveness, DestructionDoesNotWaitForAPass) {
     auto session =
         std::make_unique<Session>(SessionOptions{.threads = 2, .interactive = interactive});
     const auto start = Clock::now();
-    session->submit(noisy_scene(1500, 1000, 0));
+    session->submit(noisy_scene(2500, 1600, 0));
     if (!eventually(*session, [&] { return session->status().spp >= 1; })) return;
     const double one_pass = seconds_since(start);
     const auto before = Clock::now();
