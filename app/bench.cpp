@@ -178,6 +178,12 @@ void make_references(const BenchOptions& options) {
 }
 
 int run_bench(const BenchOptions& options) {
+  if (!options.scene.seed.empty()) {
+    throw Error(ErrorKind::Usage, "--seed: every run of a benchmark has a seed of its own");
+  }
+  if (!options.ab.empty() && !options.kernels.empty()) {
+    throw Error(ErrorKind::Usage, "--kernels: not with --ab; expected one of the two, or --kernel");
+  }
   if (options.make_references) {
     make_references(options);
     return 0;

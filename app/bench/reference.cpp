@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <memory>
@@ -52,15 +53,24 @@ struct Parts {
   }
 };
 
+/// Throws if a sample was dropped: the mean would be of the others.
 Image render_part(const RenderScene& scene, int threads) {
   const Crop& window = scene.crop;
   Film film(window.width, window.height, scene.film_unit);
   const auto rows = static_cast<std::uint64_t>(window.height);
+  std::atomic<std::uint64_t> dropped{0};
   for_each_on_threads(0, rows, threads, [&](std::uint64_t row) {
     const int y = static_cast<int>(row);
     Counters counters;
     render(scene, Work{0, y, window.width, y + 1, 0, kPartSpp, 1}, film.view(), counters);
+    dropped += counters.non_finite;
   });
+  if (dropped > 0) {
+    throw Error(ErrorKind::Scene, fmt::format("{} samples of the reference are not finite and were "
+                                              "dropped: it would be biased; lightbench render says "
+                                              "which",
+                                              dropped.load()));
+  }
   return film.mean(kPartSpp);
 }
 
@@ -151,7 +161,7 @@ void save_reference(const std::filesystem::path& file, const Reference& referenc
       {"MSE", fmt::format("{:.6g}", reference.mse)},
       {"relMSE", fmt::format("{:.6g}", reference.relmse)},
   };
-  write_image(file, reference.image, {}, header);
+  write_image(file, reference.image, {}, header, {}, ExrNumbers::Float);
 }
 
 }  // namespace lightbench::bench

@@ -61,7 +61,7 @@ half to_half(float value) { return half(std::clamp(value, -kLargestHalf, kLarges
 }  // namespace
 
 std::string encode_exr(const Image& image, const ImageMetadata& metadata,
-                       const std::vector<float>& variance) {
+                       const std::vector<float>& variance, ExrNumbers numbers) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709, D65
@@ -69,14 +69,26 @@ std::string encode_exr(const Image& image, const ImageMetadata& metadata,
     if (!key.empty()) header.insert(key, Imf::StringAttribute(value));
 
   const auto width = static_cast<std::size_t>(image.width);
-  std::vector<half> rgb(image.rgb.size());
-  std::transform(image.rgb.begin(), image.rgb.end(), rgb.begin(), to_half);
+  std::vector<half> halves;
+  if (numbers == ExrNumbers::Half) {
+    halves.resize(image.rgb.size());
+    std::transform(image.rgb.begin(), image.rgb.end(), halves.begin(), to_half);
+  }
+  std::vector<float> floats(numbers == ExrNumbers::Float ? image.rgb : std::vector<float>());
   Imf::FrameBuffer frame;
   const char* names[] = {"R", "G", "B"};
   for (std::size_t c = 0; c < 3; ++c) {
-    header.channels().insert(names[c], Imf::Channel(Imf::HALF));
-    frame.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(rgb.data() + c),
-                                      3 * sizeof(half), 3 * sizeof(half) * width));
+    const auto add = [&](auto& values, Imf::PixelType type) {
+      const std::size_t step = 3 * sizeof values[0];
+      header.channels().insert(names[c], Imf::Channel(type));
+      frame.insert(names[c], Imf::Slice(type, reinterpret_cast<char*>(values.data() + c), step,
+                                        step * width));
+    };
+    if (numbers == ExrNumbers::Half) {
+      add(halves, Imf::HALF);
+    } else {
+      add(floats, Imf::FLOAT);
+    }
   }
   std::vector<float> variances(variance);
   if (!variances.empty()) {

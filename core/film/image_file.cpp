@@ -31,8 +31,9 @@ bool is_output(const std::string& type) {
 }
 
 std::string encode(const std::string& type, const Image& image, const Display& display,
-                   const ImageMetadata& metadata, const std::vector<float>& variance) {
-  if (type == ".exr") return encode_exr(image, metadata, variance);
+                   const ImageMetadata& metadata, const std::vector<float>& variance,
+                   ExrNumbers numbers) {
+  if (type == ".exr") return encode_exr(image, metadata, variance, numbers);
   if (type == ".hdr") return encode_hdr(image);
   if (type == ".pfm") return encode_pfm(image);
   const ByteImage bytes{image.width, image.height, to_8_bit(image, display)};
@@ -69,7 +70,8 @@ void check_image_name(const std::filesystem::path& file) {
 }
 
 void write_image(const std::filesystem::path& file, const Image& image, const Display& display,
-                 const ImageMetadata& metadata, const std::vector<float>& variance) {
+                 const ImageMetadata& metadata, const std::vector<float>& variance,
+                 ExrNumbers numbers) {
   check_image_name(file);
   const std::size_t pixels = image.pixel_count();
   if (image.width < 1 || image.height < 1 || image.rgb.size() != 3 * pixels ||
@@ -80,7 +82,7 @@ void write_image(const std::filesystem::path& file, const Image& image, const Di
   };
   std::string bytes;
   try {
-    bytes = encode(extension(file), image, display, metadata, variance);
+    bytes = encode(extension(file), image, display, metadata, variance, numbers);
   } catch (const std::exception& error) {
     fail(error.what());
   }

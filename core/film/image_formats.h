@@ -21,9 +21,9 @@ struct ByteImage {
 
 std::string encode_png(const ByteImage& image, const ImageMetadata& metadata);
 std::string encode_ppm(const ByteImage& image);
-/// Half-float RGB and, if `variance` is given, a float channel `variance.Y`.
+/// RGB and, if `variance` is given, a float channel `variance.Y`.
 std::string encode_exr(const Image& image, const ImageMetadata& metadata,
-                       const std::vector<float>& variance);
+                       const std::vector<float>& variance, ExrNumbers numbers);
 std::string encode_hdr(const Image& image);
 std::string encode_pfm(const Image& image);
 

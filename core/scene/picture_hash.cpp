@@ -1,7 +1,6 @@
 #include "core/scene/picture_hash.h"
 
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "core/scene/json_write.h"
@@ -16,9 +15,9 @@ class Fnv1a {
       value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     }
   }
+  /// Of numbers, or of vectors and arrays of them: what has no padding.
   template <class T>
   void add(const std::vector<T>& values) {
-    static_assert(std::has_unique_object_representations_v<T> || std::is_trivially_copyable_v<T>);
     add(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
   }
   void add(const Image& image) {
