@@ -112,7 +112,9 @@ template <class Watch>
       choose_light(scene, paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x);
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
-  const LightSample s = sample_light(scene, place, v.reflect_from, paths.ray.time, u, active);
+  LightSample s = sample_light(scene, place, v.reflect_from, paths.ray.time, u, active);
+  const Mask own = active && place.primitive == paths.ray.from;
+  if (any(own)) sample_own_lights(scene, place, paths.ray, v.reflect_from, u, !v.front, own, s);
 
   BsdfValue value{Vec(Real(T(0.25) * kInvPi)), Real(kPdfSphere)};
   value.f = value.f * v.material.base_color;  // isotropic phase function times albedo
@@ -156,7 +158,7 @@ template <class Watch>
 /// The light that was hit, in the lanes where it is one that the sampler can choose; 0 elsewhere.
 struct KnownLight {
   Int light;
-  Mask known;
+  Mask known, mesh;
 };
 inline KnownLight light_of(const SceneView<T>& scene, const NearestHit& hit, Mask active) {
   const Int primitive = select(active, hit.primitive, Int(0U));
@@ -164,7 +166,7 @@ inline KnownLight light_of(const SceneView<T>& scene, const NearestHit& hit, Mas
   const Mask known = active && first_light != Int(kNoLight);
   const Mask mesh =
       gather(scene.kind, primitive) == Int(static_cast<std::uint32_t>(PrimitiveKind::Mesh));
-  return {select(known, first_light + select(mesh, hit.slot, Int(0U)), Int(0U)), known};
+  return {select(known, first_light + select(mesh, hit.slot, Int(0U)), Int(0U)), known, mesh};
 }
 
 /// Emission met by the paths' own rays, weighted against light sampling.
@@ -177,10 +179,13 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   Real weight(1);
   const Mask sampled = bright && paths.pdf > Real(0);
   if (scene.samples_lights && any(sampled)) {
-    const auto [light, known] = light_of(scene, hit, sampled);
-    const Real pdf = gather(scene.light_pmf, light) *
-                     pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
-                               paths.ray.d, hit.t, v.surface.ng, known);
+    const auto [light, known, mesh] = light_of(scene, hit, sampled);
+    Real of_shape = pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
+                              paths.ray.d, hit.t, v.surface.ng, known);
+    // As sample_own_lights() has it.
+    const Mask own = known && hit.primitive == paths.ray.from && paths.ray.inside;
+    of_shape = select(own && !mesh, Real(kPdfSphere), of_shape);
+    const Real pdf = gather(scene.light_pmf, light) * of_shape;
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.
     const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)
                                                    : select(pdf > Real(0), Real(0), Real(1));

@@ -139,6 +139,28 @@ inline LightSample sample_light(const SceneView<T>& scene, LightPlace place, Vec
   return s;
 }
 
+/// Samples of the lights that the points themselves are on (`left` says which surface that is; from
+/// its inside where `inside`), in place of those that `s` has. On which side the coordinates of
+/// such a point lie is a matter of rounding, so nothing is asked of them: a solid's inner side sees
+/// all of it and in all directions (kPdfSphere), everything else nothing of itself.
+[[gnu::noinline]] inline void sample_own_lights(const SceneView<T>& scene, LightPlace place,
+                                                const Ray& left, Vec from, Vec2 u, Mask inside,
+                                                Mask own, LightSample& s) {
+  for_each_distinct(place.primitive, own, [&](std::uint32_t i, Mask m) {
+    const auto kind = static_cast<PrimitiveKind>(scene.kind[i]);
+    if (kind == PrimitiveKind::Mesh) m = m && place.slot == left.from_slot;
+    s.valid = s.valid && !m;
+    m = m && inside;
+    if (kind == PrimitiveKind::Mesh || is_planar(kind) || none(m)) return;
+    const Ray ray = probe_ray(from, square_to_sphere(u), left.time);
+    const Interval span = solid_interval(scene, i, ray);
+    const NearestHit hit{span.far, Int(i), Int(0U), Real(0), Real(0)};
+    const Vec n = surface_of(scene, i, ray, hit, m, Coordinates::None).ng;
+    const Mask valid = span.hit && span.far > Real(0);
+    s = select(m, LightSample{ray.d, n, span.far, Real(kPdfSphere), valid}, s);
+  });
+}
+
 /// 0 where !active.
 inline Real pdf_light(const SceneView<T>& scene, LightPlace place, Vec from, Real time, Vec d,
                       Real t, Vec n, Mask active) {

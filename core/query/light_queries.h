@@ -88,7 +88,7 @@ inline void pdf_light_points(const SceneView<T>& scene,
     const Mask met = batch.active() && hit.primitive != Int(kNoHit);
     Vertex v;
     find_surface(scene, ray, hit, met, v);
-    const auto [light, valid] = light_of(scene, hit, met);
+    const auto [light, valid, mesh] = light_of(scene, hit, met);
     LightSample s{ray.d, v.surface.ng, hit.t, Real(0), valid};
     s.pdf = pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, hit.t, v.surface.ng,
                       valid);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "app/proof/build_scene.h"
 #include "tests/transport/measure.h"
@@ -79,6 +80,58 @@ TEST_P(EmissiveRoom, ObjectsOfTheSameGlowDisappear) {
     look(s, {1.5, 1.2, -1.7}, {0, 0, 0}, 60);
     family.add(std::string("room with a ") + placed.name, 2,
                measure_uniform(s, GetParam().kind, GetParam().spp(256)));
+  }
+  family.expect_agreement();
+}
+
+constexpr std::pair<const char*, Strategy> kStrategies[] = {
+    {"mis", Strategy::Mis}, {"lights", Strategy::Lights}, {"bsdf", Strategy::Bsdf}};
+
+/// A black ball far away, which makes coordinates coarser.
+void add_far_ball(Scene& s) { add(s, SphereShape{{700, -900, 400}, 1, {0, 0, 0}}, black()); }
+
+// A convex solid never lights its own outside, whichever way its points are rounded.
+TEST_P(EmissiveRoom, IsSeenFromOutsideAsItGlows) {
+  Scene shapes;
+  for (const PlacedShape& placed : closed_shapes(shapes)) {
+    for (const bool coarse : {false, true}) {
+      for (const auto& [name, strategy] : kStrategies) {
+        Scene s = dark_scene();
+        s.meshes = shapes.meshes;
+        add(s, placed.shape, glowing(glm::dvec3(0.5), 0.75), placed.transform);
+        if (coarse) add_far_ball(s);
+        look(s, {4, 3, -5}, {0.05, 0.1, -0.08}, 5);
+        s.render.strategy = strategy;
+        const int spp = GetParam().spp(64);
+        const Film film = render_film(s, GetParam().kind, spp);
+        const auto pixels = static_cast<std::size_t>(film.width() * film.height());
+        int other = 0;
+        for (std::size_t i = 0; i < pixels; ++i) {
+          if (pixel_mean(film, i, spp) != glm::dvec3(0.75)) ++other;
+        }
+        EXPECT_EQ(other, 0) << placed.name << (coarse ? ", coarse, by " : ", by ") << name;
+      }
+    }
+  }
+}
+
+// Light sampling from its own inner side has to find all that the paths' own rays would.
+TEST_P(EmissiveRoom, ShowsTheSeriesByAnyStrategy) {
+  Family family = GetParam().family();
+  const double rho = 0.6;
+  Scene shapes;
+  for (const PlacedShape& placed : closed_shapes(shapes)) {
+    for (const bool coarse : {false, true}) {
+      for (const auto& [name, strategy] : kStrategies) {
+        Scene s = room(shapes, placed, glm::dvec3(rho));
+        if (coarse) add_far_ball(s);
+        s.render.max_depth = 3;
+        s.render.strategy = strategy;
+        family.add(std::string(placed.name) + (coarse ? ", coarse, by " : ", by ") + name,
+                   0.75 * (1 + rho + rho * rho),
+                   measure_uniform(s, GetParam().kind, GetParam().spp(256)));
+      }
+    }
   }
   family.expect_agreement();
 }
