@@ -54,28 +54,30 @@ double ellipsoid_area(const dmat3& m) {
   return 4 * kPi * std::pow((a * b + b * c + c * a) / 3, 1 / p);
 }
 
-/// Axes (unit, the longest first) and squared semi-axes of the unit sphere's image under m: the
-/// eigenvectors and values of m m^T, by Jacobi's rotations.
-void append_principal_axes(std::vector<double>& row, const dmat3& m) {
-  dmat3 axes(1), a = m * glm::transpose(m);
+/// Axes (unit, the longest first) and squared semi-axes of the unit sphere's image under m, by
+/// one-sided Jacobi rotations (Hestenes 1958): they turn m's columns until those are perpendicular.
+/// As eigenvalues of m m^T the short axes would drown in the rounding of the long ones.
+void append_principal_axes(std::vector<double>& row, dmat3 m) {
   for (int sweep = 0; sweep < 12; ++sweep) {
     for (int p = 0; p < 2; ++p) {
       for (int q = p + 1; q < 3; ++q) {
-        if (a[p][q] == 0) continue;
-        const double angle = 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
-        dmat3 turn(1);
-        turn[p][p] = turn[q][q] = std::cos(angle);
-        turn[q][p] = std::sin(angle);
-        turn[p][q] = -turn[q][p];
-        a = glm::transpose(turn) * a * turn;
-        axes = axes * turn;
+        const double pp = dot(m[p], m[p]), qq = dot(m[q], m[q]), pq = dot(m[p], m[q]);
+        if (std::abs(pq) <= 1e-16 * std::sqrt(pp) * std::sqrt(qq)) continue;
+        const double zeta = (qq - pp) / (2 * pq);
+        const double tangent =
+            std::copysign(1 / (std::abs(zeta) + std::sqrt(1 + zeta * zeta)), zeta);
+        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+        const dvec3 turned = cosine * m[p] - sine * m[q];
+        m[q] = sine * m[p] + cosine * m[q];
+        m[p] = turned;
       }
     }
   }
   std::array<int, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](int i, int k) { return a[i][i] > a[k][k]; });
-  for (const int i : order) append(row, normalize(axes[i]));
-  for (const int i : order) row.push_back(a[i][i]);
+  std::sort(order.begin(), order.end(),
+            [&](int i, int k) { return dot(m[i], m[i]) > dot(m[k], m[k]); });
+  for (const int i : order) append(row, normalize(m[i]));
+  for (const int i : order) row.push_back(dot(m[i], m[i]));
 }
 
 ShapeRow row_of(const SphereShape& s, const Map& map, double open, double close) {

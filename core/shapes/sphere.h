@@ -189,10 +189,12 @@ inline LightSample sample_ellipsoid(const Ellipsoid& e, const PrincipalAxes& axe
     const Real inverse_dd = Real(1) / length_squared(d);
     const ClosestApproach a =
         closest_approach(v.local, Vec(Real(0)), d, inverse_dd, HitQuality::Refined);
-    const Real half = safe_sqrt((Real(1) - length_squared(a.p)) * inverse_dd);
+    const Real discriminant = Real(1) - length_squared(a.p);
+    const Real half = safe_sqrt(discriminant * inverse_dd);
     r.distance = v.gap * inverse_dd / (a.t + half);
     r.n = normalize(e.to_local.transposed(madd(d, r.distance, v.local)));
-    r.valid = v.outside && r.distance > Real(0) && r.pdf < Real(kInfinity);
+    r.valid =
+        v.outside && discriminant >= Real(0) && r.distance > Real(0) && r.pdf < Real(kInfinity);
   }
   if (any(!v.outside)) {
     const Ray ray = probe_ray(from, square_to_sphere(u));
