@@ -175,7 +175,10 @@ inline CylinderView view_cylinder(const Cylinder& c, Vec from) {
 
 inline Real pdf_cylinder(const CylinderView& v, const Cylinder& c, Vec d, Vec n) {
   const Mask on_cap = abs(dot(n, c.axis)) > Real(T(0.5));
-  return pdf_cylinder_parts(v, d, dot(d, v.side.x), dot(d, v.side.y), on_cap);
+  // The side is set only where it is seen.
+  const bool beside = any(v.beside);
+  const Real x = beside ? dot(d, v.side.x) : Real(0), y = beside ? dot(d, v.side.y) : Real(0);
+  return pdf_cylinder_parts(v, d, x, y, on_cap);
 }
 
 /// n is the outward normal where d meets the cylinder.
