@@ -27,6 +27,8 @@ struct KernelFunctions {
   /// kernel of this number type; the rays' directions are unit to the last bit.
   void (*nearest_by_loop)(const RenderScene& scene, std::span<const Ray> rays,
                           std::span<LoopHit> hits);
+  /// By a test of this object alone, of a mesh this triangle alone. The same conditions.
+  LoopHit (*hit_alone)(const RenderScene& scene, const Ray& ray, int object, int triangle);
   /// The warp of u, rounded to the kernel's number type below 1; unused components are 0. Filters
   /// are of radius 1.
   void (*warp)(Warp warp, const double (&u)[2], double (&out)[3]);

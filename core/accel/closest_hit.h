@@ -1,7 +1,7 @@
 #pragma once
 // Closest and any hit. Tiny scenes: every primitive against all lanes at once. Others: each lane's
-// ray walks the eight-wide BVH, one ray against eight boxes or eight triangles. The nearest hit
-// does not depend on the way: of equal distances the primitive with the smaller index wins.
+// ray walks the eight-wide BVH, one ray against eight boxes or eight triangles. Both find the same
+// distance; of equal ones the smaller index wins, unless rounding hides its box behind the other.
 
 #include "core/shapes/box.h"
 #include "core/shapes/cylinder.h"
