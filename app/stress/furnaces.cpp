@@ -3,46 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "app/proof/closed_forms.h"
 #include "app/stress/scenes.h"
 #include "app/stress/suite.h"
 #include "core/query/materials.h"
 
 namespace lightbench::stress {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-double lambda(double alpha, double cosine) {
-  const double tangent2 = (1 - cosine * cosine) / (cosine * cosine);
-  return 0.5 * (std::sqrt(1 + alpha * alpha * tangent2) - 1);
-}
-
-/// Reflected share of a perfectly reflecting GGX surface with height-correlated masking and single
-/// scattering: the integral of G2 (o.h) / (o.n h.n) over the microfacet normals, which D cos makes
-/// uniform in t and phi where tan^2 = alpha^2 t / (1 - t).
-double ggx_share(double alpha, double cosine) {
-  constexpr int kGrid = 512;
-  const double sine = std::sqrt(1 - cosine * cosine), lambda_o = lambda(alpha, cosine);
-  double sum = 0;
-  for (int i = 0; i < kGrid; ++i) {
-    const double t = (i + 0.5) / kGrid, tangent2 = alpha * alpha * t / (1 - t);
-    const double hz = 1 / std::sqrt(1 + tangent2), radius = std::sqrt(tangent2) * hz;
-    for (int k = 0; k < kGrid; ++k) {
-      const double hx = radius * std::cos(kPi * (k + 0.5) / kGrid);  // half a turn, by symmetry
-      const double oh = sine * hx + cosine * hz, iz = 2 * oh * hz - cosine;
-      if (oh > 0 && iz > 0) sum += oh / (cosine * hz * (1 + lambda_o + lambda(alpha, iz)));
-    }
-  }
-  return sum / (kGrid * kGrid);
-}
-
-/// Share of the ball of the books' fuzz above the surface.
-double fuzz_share(double fuzz, double cosine) {
-  const double h = fuzz - cosine;  // height of the cap below
-  return h > 0 ? 1 - h * h * (3 * fuzz - h) / (4 * fuzz * fuzz * fuzz) : 1;
-}
 
 /// Mean weight of so many samples, spread evenly (Kronecker sequence of the plastic constant).
 double reflected_share(const RenderScene& scene, double cosine, int count) {
@@ -91,7 +59,7 @@ void add_furnace_tests(std::vector<Test>& tests) {
              (ggx ? m.roughness : m.fuzz) = ggx ? std::sqrt(alpha) : fuzz;
              add_object(scene, SphereShape{});
              const double share = reflected_share(*compile(scene, kernel), cosine, 1 << 17);
-             const double exact = ggx ? ggx_share(alpha, cosine) : fuzz_share(fuzz, cosine);
+             const double exact = ggx ? ggx_albedo(cosine, alpha) : fuzz_share_above(cosine, fuzz);
              Tally& tally = tallies[ggx ? 0 : 1];
              tally.trial();
              tally.measure(std::abs(share - exact), [&] {
