@@ -1,19 +1,24 @@
 #include "app/proof/measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 #include <thread>
 
+#include "core/error.h"
+
 namespace lightbench {
 
 namespace {
 
-/// A dropped sample would bias the mean; make the comparison fail.
-void spoil_if_incomplete(Film& film, const Counters& counters) {
+/// A dropped sample would bias the mean, of both sides of a comparison perhaps.
+void expect_complete(const Counters& counters) {
   if (counters.non_finite == 0) return;
-  for (std::size_t i = 0; i < film.pixels().size(); ++i) film.view().pixels[i] = {-1, -1, -1, 0};
+  throw Error(ErrorKind::Internal,
+              fmt::format("{} samples were not finite, expected none", counters.non_finite));
 }
 
 }  // namespace
@@ -27,7 +32,7 @@ Film render_film(const RenderScene& scene, int spp, int first) {
   work.sample_count = static_cast<std::uint32_t>(spp);
   Counters counters;
   render(scene, work, film.view(), counters);
-  spoil_if_incomplete(film, counters);
+  expect_complete(counters);
   return film;
 }
 
@@ -60,7 +65,7 @@ Film render_on_threads(const RenderScene& scene, int spp, int threads) {
     for (int i = 1; i < threads; ++i) workers.emplace_back(work);
     work();
   }
-  spoil_if_incomplete(film, all);
+  expect_complete(all);
   return film;
 }
 
@@ -95,7 +100,7 @@ SizedEstimate measure_uniform_to(const Scene& scene, KernelKind kernel, double e
            {0, 0, film.width(), film.height(), static_cast<std::uint32_t>(done),
             static_cast<std::uint32_t>(spp - done), 1},
            film.view(), counters);
-    spoil_if_incomplete(film, counters);
+    expect_complete(counters);
     done = spp;
     const SizedEstimate e{over_pixels(film, spp), spp};
     if (e.error.y <= error || spp == most_spp) return e;

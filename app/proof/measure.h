@@ -1,5 +1,6 @@
 #pragma once
-// Rendering small pictures and reading means from them, without a session.
+// Rendering small pictures and reading means from them, without a session. All throw where a sample
+// was not finite, and so left out of the film.
 
 #include <cstdint>
 

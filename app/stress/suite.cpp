@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "app/on_threads.h"
 #include "app/proof/chi_square.h"
@@ -55,7 +56,14 @@ std::vector<Tally> run_test(const Test& test, const SuiteOptions& options, const
     for_each_on_threads(first, last, options.threads, [&](std::uint64_t chunk) {
       Random random(options.seed, test.name, chunk);
       std::vector<Tally> tallies = empty(chunk);
-      run(random, std::min(test.chunk, trials - std::min(trials, chunk * test.chunk)), tallies);
+      try {
+        run(random, std::min(test.chunk, trials - std::min(trials, chunk * test.chunk)), tallies);
+      } catch (const std::exception& error) {
+        for (Tally& tally : tallies) {
+          tally.trial();
+          tally.fail([&] { return std::string(error.what()); });
+        }
+      }
       parts[chunk - first] = std::move(tallies);
     });
     for (const std::vector<Tally>& part : parts) {
@@ -71,7 +79,7 @@ void Tally::add(const Tally& other) {
   if (failures_ == 0) first_failure_ = other.first_failure_;
   trials_ += other.trials_;
   failures_ += other.failures_;
-  if (!(other.worst_ <= worst_)) worst_ = other.worst_;
+  keep_worst(other.worst_);
 }
 
 bool LineResult::passed() const {

@@ -5,6 +5,7 @@
 // judged by an oracle of its own. It fills one or more lines of the table. To add one: write a
 // function that appends it in a file of app/stress and name that in stress_tests().
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -47,25 +48,30 @@ class Tally {
   template <class Describe>
   void measure(double value, Describe describe) {
     if (!(value <= limit_)) fail(describe);
-    if (!(value <= worst_)) worst_ = value;
+    keep_worst(value);
   }
   /// The tally of later chunks.
   void add(const Tally& other);
 
   [[nodiscard]] std::uint64_t trials() const { return trials_; }
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
-  /// NaN if a measured value was none.
+  /// NaN if a measured value was NaN.
   [[nodiscard]] double worst() const { return worst_; }
   [[nodiscard]] const std::string& first_failure() const { return first_failure_; }
 
  private:
+  void keep_worst(double value) {
+    if (!(value <= worst_) && !std::isnan(worst_)) worst_ = value;
+  }
+
   double limit_ = kNoLimit;
   std::uint64_t chunk_ = 0, trials_ = 0, failures_ = 0;
   double worst_ = 0;
   std::string first_failure_;
 };
 
-/// Runs so many trials; `tallies` are the test's lines. Called by several threads at once.
+/// Runs so many trials; `tallies` are the test's lines. Called by several threads at once. An
+/// exception fails all of them.
 using Chunk = std::function<void(Random& random, std::uint64_t trials, std::span<Tally> tallies)>;
 
 struct Test {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/stress/suite.h"
 #include "tests/unit/program.h"
 
 namespace lightbench {
@@ -45,6 +48,15 @@ TEST(Stress, AChunkThatFailedIsRunAgainAlone) {
   EXPECT_NE(once[0]["trials"], run({"--chunk", "4"})[0]["trials"]);
   EXPECT_NE(once[0]["trials"], run({"--chunk", "3", "--seed", "2"})[0]["trials"]);
   EXPECT_LT(once[0]["trials"], run({"--threads", "2"})[0]["trials"]);
+}
+
+TEST(Stress, AMeasuredNanFailsAndStays) {
+  stress::Tally tally(10, 0);
+  const auto text = [] { return std::string(); };
+  tally.measure(std::numeric_limits<double>::quiet_NaN(), text);
+  tally.measure(1, text);
+  EXPECT_EQ(tally.failures(), 1U);
+  EXPECT_TRUE(std::isnan(tally.worst()));
 }
 
 TEST(Stress, AFilterThatNoTestMatchesIsAnError) {
