@@ -8,9 +8,6 @@
 namespace lightbench {
 namespace {
 
-/// A standard error below this share of the mean is rounding.
-constexpr double kStill = 1e-5;
-
 bool is_still(const Mean& a, const Mean& b) {
   return std::hypot(a.error, b.error) <= kStill * std::max(std::abs(a.value), std::abs(b.value));
 }

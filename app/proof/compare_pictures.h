@@ -13,6 +13,8 @@
 namespace lightbench {
 
 inline constexpr int kTile = 16;  ///< pixels a side
+/// A standard error below this share of the mean is rounding.
+inline constexpr double kStill = 1e-5;
 
 /// Means over the tiles and over the picture of red + green + blue; the replicates are renders with
 /// seeds of their own.

@@ -1,13 +1,15 @@
-// Degenerate input: rejected with a message, or rendered without a bad pixel and without a change
-// to the pixels that do not show it.
+// Degenerate input: rejected with a message, or rendered without a bad sample and without a change
+// to what is seen beside it.
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/proof/build_scene.h"
 #include "app/stress/oracle.h"
 #include "app/stress/scenes.h"
 #include "app/stress/shapes.h"
@@ -61,19 +63,31 @@ Picture render_all(const Scene& scene, KernelKind kernel) {
   return {film.pixels(), counters.non_finite};
 }
 
+/// Pixels that may show what is added; the base scene is in the left half of the picture.
+enum class Covers { RightHalf, All };
+
 /// What is in question besides the base scene.
 struct Case {
   std::string name;
+  /// Unchanged: the picture is that of the base scene with `good` added, to the bit. Clean: no bad
+  /// sample, and what is seen directly beside `covers` is that of the base scene.
   enum class Verdict { Rejected, Unchanged, Clean } verdict;
   std::function<void(Scene&)> spoil;
+  Covers covers = Covers::All;
+  std::function<void(Scene&)> good = [](Scene&) {};
 };
 using Verdict = Case::Verdict;
 
 Case shape_case(const std::string& name, Verdict verdict, const Shape& shape) {
   return {name, verdict, [shape](Scene& scene) { add_object(scene, shape); }};
 }
-Case mesh_case(const std::string& name, Verdict verdict, const Mesh& mesh) {
-  return {name, verdict, [mesh](Scene& scene) { add_mesh(scene, mesh); }};
+Mesh octahedron_at(const dvec3& centre, double radius) {
+  Mesh mesh = octahedron(radius);
+  for (dvec3& p : mesh.positions) p += centre;
+  return mesh;
+}
+std::function<void(Scene&)> adding(const Mesh& mesh) {
+  return [mesh](Scene& scene) { stress::add_mesh(scene, mesh); };
 }
 
 void add_rejected(std::vector<Case>& cases) {
@@ -109,7 +123,7 @@ void add_rejected(std::vector<Case>& cases) {
   camera("field of view of 0", [](Camera& c) { c.vfov = 0; });
   camera("field of view of 180 degrees", [](Camera& c) { c.vfov = 180; });
   const auto mesh = [&](const std::string& name, const Mesh& m) {
-    cases.push_back(mesh_case(name, Verdict::Rejected, m));
+    cases.push_back({name, Verdict::Rejected, adding(m)});
   };
   mesh("mesh with a NaN vertex", {{{0, 0, 0}, {1, 0, 0}, {0, kNan, 0}}, {}, {}, {{0, 1, 2}}});
   mesh("mesh with an infinite vertex", {{{0, 0, 0}, {1, 0, 0}, {0, kInf, 0}}, {}, {}, {{0, 1, 2}}});
@@ -120,19 +134,31 @@ void add_rejected(std::vector<Case>& cases) {
 }
 
 void add_harmless(std::vector<Case>& cases) {
-  // Nothing of these is to be seen: every pixel stays as it is. Beside the good triangles of the
-  // mesh, which lies behind the camera, are ones of no area.
   const auto unchanged = [&](const std::string& name, std::function<void(Scene&)> spoil) {
     cases.push_back({name, Verdict::Unchanged, std::move(spoil)});
   };
-  const auto in_view = [&](const std::string& name, const Mesh& m) {
-    cases.push_back(mesh_case(name, Verdict::Unchanged, m));
+  // Triangles of no area, before and among those of a mesh in view, and alone.
+  const auto bad = [&](const std::string& name, const std::array<dvec3, 3>& corners) {
+    const Mesh alone{{corners.begin(), corners.end()}, {}, {}, {{0, 1, 2}}};
+    unchanged(name + " alone in a mesh", adding(alone));
+    const Mesh good = octahedron_at({1.5, 0, 0}, 0.7);
+    const auto first = static_cast<std::uint32_t>(good.positions.size());
+    Mesh mixed = good;
+    mixed.positions.insert(mixed.positions.end(), corners.begin(), corners.end());
+    for (const std::size_t at : {0U, 4U, 10U}) {
+      mixed.triangles.insert(mixed.triangles.begin() + static_cast<std::ptrdiff_t>(at),
+                             {first, first + 1, first + 2});
+    }
+    cases.push_back(
+        {name + " among good ones", Verdict::Unchanged, adding(mixed), Covers::All, adding(good)});
   };
-  const dvec3 p{1.5, 0, 0};
-  in_view("mesh triangle of one point", {{p, p, p}, {}, {}, {{0, 1, 2}}});
-  in_view("mesh triangle with a vertex twice", {{p, p + dvec3(0, 1, 0)}, {}, {}, {{0, 0, 1}}});
-  in_view("mesh triangle of no area",
-          {{p, p + dvec3(0, 0.5, 0), p + dvec3(0, 1, 0)}, {}, {}, {{0, 1, 2}}});
+  // Before the octahedron and within its bounds, which the rounding of all of it goes by.
+  const dvec3 p{1.7, 0.2, 0.6};
+  bad("mesh triangle of one point", {p, p, p});
+  bad("mesh triangle with a vertex twice", {p, p, p + dvec3(0, 0.4, 0)});
+  bad("mesh triangle of no area", {p, p + dvec3(0, 0.2, 0), p + dvec3(0, 0.4, 0)});
+  bad("mesh triangle of no area within the good ones",
+      {dvec3(1, 0, 0), dvec3(1.5, 0, 0), dvec3(2, 0, 0)});
   unchanged("denormal emission", [](Scene& s) { s.materials[0].emissive = dvec3(kDenormal); });
   unchanged("object without material or medium", [](Scene& s) {
     add_object(s, BoxShape{{1, -1, -1}, {2, 1, 1}}).material = kNone;
@@ -140,10 +166,11 @@ void add_harmless(std::vector<Case>& cases) {
 }
 
 void add_clean(std::vector<Case>& cases) {
-  const auto clean = [&](const std::string& name, std::function<void(Scene&)> spoil) {
-    cases.push_back({name, Verdict::Clean, std::move(spoil)});
+  const auto clean = [&](const std::string& name, Covers covers,
+                         std::function<void(Scene&)> spoil) {
+    cases.push_back({name, Verdict::Clean, std::move(spoil), covers});
   };
-  clean("coincident faces", [](Scene& s) {
+  clean("coincident faces", Covers::RightHalf, [](Scene& s) {
     for (const int material : {0, 1, 2, 3}) {
       add_object(s, BoxShape{{1, -1, -1}, {2, 0, 0}}).material = material;
       add_object(s, RectangleShape{{1, -1, 0}, {1, 0, 0}, {0, 1, 0}}).material = material;
@@ -151,7 +178,7 @@ void add_clean(std::vector<Case>& cases) {
       add_object(s, TriangleShape{{1, -1, 0}, {2, -1, 0}, {1, 0, 0}}).material = material;
     }
   });
-  clean("camera inside everything", [](Scene& s) {
+  clean("camera inside everything", Covers::All, [](Scene& s) {
     for (const int material : {1, 0, 2}) {
       const double size = 6.0 + material;
       add_object(s, SphereShape{s.camera.look_from, size, dvec3(0)}).material = material;
@@ -165,28 +192,29 @@ void add_clean(std::vector<Case>& cases) {
     fog.material = kNone;
     fog.medium = 0;
   });
-  clean("eye on a surface", [](Scene& s) {
+  clean("eye on a surface", Covers::All, [](Scene& s) {
     add_object(s, RectangleShape{{-1, -1, 5}, {2, 0, 0}, {0, 2, 0}});
     add_object(s, SphereShape{{0, 0, 4}, 1, dvec3(0)}).material = 1;
     add_object(s, BoxShape{{-1, -1, 5}, {1, 1, 6}}).material = 2;
   });
-  clean("eye on a light", [](Scene& s) {
+  clean("eye on a light", Covers::All, [](Scene& s) {
     add_object(s, SphereShape{{0, 0, 4}, 1, dvec3(0)}).material = 3;
     add_object(s, TriangleShape{{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}).material = 3;
   });
-  clean("denormal coordinates", [](Scene& s) {
+  clean("denormal coordinates", Covers::RightHalf, [](Scene& s) {
     add_object(s, SphereShape{{1.5, kDenormal, -kDenormal}, 0.5, {kDenormal, 0, 0}});
     add_object(s, BoxShape{{1, kDenormal, 0}, {2, 1, kDenormal + 0.5}});
     add_object(s, RectangleShape{{1, -1, 0}, {1, kDenormal, 0}, {kDenormal, 0.5, 0}});
   });
-  clean("sizes 1e-17 and 1e17", [](Scene& s) {
+  // The eye is in the surface of the larger one as near as can be told.
+  clean("sizes 1e-17 and 1e17", Covers::All, [](Scene& s) {
     add_object(s, SphereShape{{1.5, 0, 0}, 1e-17, dvec3(0)});
     add_object(s, SphereShape{{0, -1e17, 0}, 1e17, dvec3(0)});
   });
-  clean("a sliver of 1e-11", [](Scene& s) {
+  clean("a sliver of 1e-11", Covers::RightHalf, [](Scene& s) {
     add_object(s, TriangleShape{{1, 0, 0}, {2, 0, 0}, {1, 1e-11, 0}}).material = 3;
   });
-  clean("index of refraction of 1, 0.01 and 100", [](Scene& s) {
+  clean("index of refraction of 1, 0.01 and 100", Covers::RightHalf, [](Scene& s) {
     for (const double ior : {1.0, 0.01, 100.0}) {
       Material glass = s.materials[1];
       glass.name += fmt::format(" {}", ior);
@@ -196,7 +224,7 @@ void add_clean(std::vector<Case>& cases) {
           static_cast<int>(s.materials.size()) - 1;
     }
   });
-  clean("roughness 1e-5", [](Scene& s) {
+  clean("roughness 1e-5", Covers::RightHalf, [](Scene& s) {
     s.materials[2].roughness = 1e-5;
     add_object(s, SphereShape{{1.5, 0, 0}, 1, dvec3(0)}).material = 2;
   });
@@ -210,14 +238,13 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-/// The right half of the picture is where cases are; the rest must not change.
 bool same(const FilmPixel& a, const FilmPixel& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b && a.luminance_squared == b.luminance_squared;
 }
 
 enum DegenerateLine { kRejected, kBadPixels, kNeighbours };
 
-void judge(const Case& c, const Picture& base, KernelKind kernel, std::span<Tally> tallies) {
+void judge(const Case& c, KernelKind kernel, std::span<Tally> tallies) {
   Scene scene = base_scene();
   c.spoil(scene);
   const auto fail = [&](DegenerateLine line, const std::string& what) {
@@ -241,11 +268,21 @@ void judge(const Case& c, const Picture& base, KernelKind kernel, std::span<Tall
   const Picture picture = render_all(scene, kernel);
   tallies[kBadPixels].trial(picture.pixels.size());
   if (picture.bad > 0) fail(kBadPixels, fmt::format("{} samples dropped", picture.bad));
-  if (c.verdict != Verdict::Unchanged) return;
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    tallies[kNeighbours].trial();
-    if (!same(picture.pixels[i], base.pixels[i])) {
-      fail(kNeighbours, fmt::format("pixel {},{} changed", i % kSide, i / kSide));
+  const bool clean = c.verdict == Verdict::Clean;
+  Scene plain = base_scene();
+  c.good(plain);
+  // One segment from the camera: light, shadows and reflections do not spread.
+  if (clean) scene.render.max_depth = plain.render.max_depth = 1;
+  const Picture expected = render_all(plain, kernel);
+  const Picture seen = clean ? render_all(scene, kernel) : picture;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      if (clean && (c.covers == Covers::All || x >= kSide / 2)) continue;
+      const auto i = static_cast<std::size_t>(y * kSide + x);
+      tallies[kNeighbours].trial();
+      if (!same(seen.pixels[i], expected.pixels[i])) {
+        fail(kNeighbours, fmt::format("pixel {},{} changed", x, y));
+      }
     }
   }
 }
@@ -301,8 +338,7 @@ void add_degenerate_tests(std::vector<Test>& tests) {
        1,
        [](KernelKind kernel) -> Chunk {
          return [kernel](Random&, std::uint64_t, std::span<Tally> tallies) {
-           const Picture base = render_all(base_scene(), kernel);
-           for (const Case& c : all_cases()) judge(c, base, kernel, tallies);
+           for (const Case& c : all_cases()) judge(c, kernel, tallies);
          };
        }});
   tests.push_back(

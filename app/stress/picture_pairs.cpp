@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "app/proof/build_scene.h"
 #include "app/proof/compare_pictures.h"
 #include "app/proof/measure.h"
 #include "app/proof/same_world.h"
@@ -27,10 +28,11 @@ struct Way {
 };
 
 const char* const kTileMeasure = "-log10 of the p-value that the tiles' p-values are uniform";
+const char* const kStillMeasure = "largest relative difference";
+/// A tile without noise may have a standard error of up to kStill.
+constexpr double kStillLimit = kLargestDeviate * kStill;
 
-/// All pairs of ways, into the tallies `whole` and `tiles`.
-void compare_all(Random& random, const std::string& room, const std::vector<Way>& ways, int spp,
-                 Tally& whole, Tally& tiles) {
+std::vector<TiledPicture> pictures_of(Random& random, const std::vector<Way>& ways, int spp) {
   std::vector<TiledPicture> pictures;
   auto seed = static_cast<std::uint32_t>(random.unit() * 0x1p31);
   for (const Way& way : ways) {
@@ -38,19 +40,53 @@ void compare_all(Random& random, const std::string& room, const std::vector<Way>
     pictures.push_back(way.left_is_right ? mirrored(std::move(picture)) : std::move(picture));
     seed += kSeeds;
   }
+  return pictures;
+}
+
+/// All pairs of ways, into the tallies `whole`, `tiles` and `still`.
+void compare_all(Random& random, const std::string& room, const std::vector<Way>& ways, int spp,
+                 Tally& whole, Tally& tiles, Tally& still) {
+  const auto pictures = pictures_of(random, ways, spp);
   for (std::size_t a = 0; a < ways.size(); ++a) {
     for (std::size_t b = a + 1; b < ways.size(); ++b) {
       const PictureComparison c = compare_pictures(pictures[a], pictures[b]);
       const double z = std::abs(equivalent_z(c.whole.t, c.whole.freedom));
       const double p = uniformity(c.p);
       const auto text = [&] {
-        return fmt::format("{}: {} against {}, z {:.3g}, KS p {:.3g}", room, ways[a].name,
-                           ways[b].name, z, p);
+        return fmt::format("{}: {} against {}, z {:.3g}, KS p {:.3g}, still tiles {:.3g}", room,
+                           ways[a].name, ways[b].name, z, p, c.still);
       };
       whole.trial();
       whole.measure(z, text);
       tiles.trial();
       tiles.measure(-std::log10(std::max(p, 1e-300)), text);
+      still.trial();
+      still.measure(c.still, text);
+    }
+  }
+}
+
+/// The same ways, with everything aglow and nothing but that seen: most tiles are without noise.
+void compare_glow(Random& random, const std::string& room, std::vector<Way> ways, Tally& still) {
+  for (Way& way : ways) {
+    for (Material& m : way.scene.materials) {
+      const std::string name = m.name;
+      m = light(m.kind == MaterialKind::Emissive ? m.emissive : glm::dvec3(0.5), true);
+      m.name = name;
+    }
+    way.scene.media.clear();
+    std::erase_if(way.scene.objects, [](const Object& o) { return o.material == kNone; });
+    way.scene.render.max_depth = way.scene.render.roulette_depth = 1;
+  }
+  const auto pictures = pictures_of(random, ways, 4);
+  for (std::size_t a = 0; a < ways.size(); ++a) {
+    for (std::size_t b = a + 1; b < ways.size(); ++b) {
+      const PictureComparison c = compare_pictures(pictures[a], pictures[b]);
+      still.trial();
+      still.measure(c.still, [&] {
+        return fmt::format("{}: {} against {}, aglow: {:.3g}", room, ways[a].name, ways[b].name,
+                           c.still);
+      });
     }
   }
 }
@@ -111,7 +147,8 @@ void other_words(Random& random, KernelKind kernel, std::span<Tally> tallies) {
   const std::vector<Way> ways{{"plain", room, kernel, false},
                               {"turned", turned_world(room, random.direction(), 37), kernel, false},
                               {"mirrored", mirrored_world(room), kernel, true}};
-  compare_all(random, describe_room(room), ways, 8, tallies[1], tallies[2]);
+  compare_all(random, describe_room(room), ways, 8, tallies[1], tallies[2], tallies[3]);
+  compare_glow(random, describe_room(room), ways, tallies[3]);
 }
 
 }  // namespace
@@ -123,7 +160,8 @@ void add_picture_pair_tests(std::vector<Test>& tests) {
        "without roulette, and the other precision; all 21 pairs, Welch's test",
        {{"strategies, whole picture", "difference in standard errors", kLargestDeviate,
          kLargestDeviate, 0},
-        {"strategies, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0}},
+        {"strategies, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0},
+        {"strategies, tiles without noise", kStillMeasure, kStillLimit, kStillLimit, 0}},
        1,
        1000,
        1,
@@ -131,8 +169,9 @@ void add_picture_pair_tests(std::vector<Test>& tests) {
          return [kernel](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
            for (std::uint64_t i = 0; i < trials; ++i) {
              const Scene room = random_room(random, kSize);
-             compare_all(random, describe_room(room), strategies(room, kernel), 24, tallies[0],
-                         tallies[1]);
+             const std::vector<Way> ways = strategies(room, kernel);
+             compare_all(random, describe_room(room), ways, 24, tallies[0], tallies[1], tallies[2]);
+             compare_glow(random, describe_room(room), ways, tallies[2]);
            }
          };
        }});
@@ -143,7 +182,8 @@ void add_picture_pair_tests(std::vector<Test>& tests) {
        {{"other words, same seed", "mean absolute difference over the mean", 1e-5, 1e-5, 0},
         {"other words, whole picture", "difference in standard errors", kLargestDeviate,
          kLargestDeviate, 0},
-        {"other words, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0}},
+        {"other words, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0},
+        {"other words, tiles without noise", kStillMeasure, kStillLimit, kStillLimit, 0}},
        2,
        1000,
        1,
