@@ -34,17 +34,26 @@ inline ExactCross exact_cross(Vec b, Vec c) {
   return n;
 }
 
+/// a . b as a sum, and what rounding took from it. `a_lost` and `b_lost` are what it took from the
+/// two.
+struct ExactDot {
+  Real value, lost;
+};
+inline ExactDot exact_dot(Vec a, Vec a_lost, Vec b, Vec b_lost) {
+  const Vec p = a * b;
+  const Vec lost{fma(a.x, b.x, -p.x), fma(a.y, b.y, -p.y), fma(a.z, b.z, -p.z)};
+  const Real first = p.x + p.y, sum = first + p.z;
+  return {sum, difference_error(p.x, -p.y, first) + difference_error(first, -p.z, sum) +
+                   (lost.x + lost.y + lost.z) + dot(a_lost, b) + dot(a, b_lost)};
+}
+
 /// a . b x c without the cancellation that a light seen at a grazing angle would suffer in float:
 /// rounding errors are put back. `a_lost`, `b_lost` and `c_lost` are what rounding took from the
 /// three.
 inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec b_lost, Vec c, Vec c_lost) {
   const ExactCross n = exact_cross(b, c);
-  const Vec p = a * n.value;
-  const Vec lost{fma(a.x, n.value.x, -p.x), fma(a.y, n.value.y, -p.y), fma(a.z, n.value.z, -p.z)};
-  const Real first = p.x + p.y, sum = first + p.z;
-  const Vec n_lost = n.lost + cross(b_lost, c) + cross(b, c_lost);
-  return sum + (difference_error(p.x, -p.y, first) + difference_error(first, -p.z, sum) +
-                (lost.x + lost.y + lost.z) + dot(a_lost, n.value) + dot(a, n_lost));
+  const ExactDot r = exact_dot(a, a_lost, n.value, n.lost + cross(b_lost, c) + cross(b, c_lost));
+  return r.value + r.lost;
 }
 inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
   return triple_product(a, a_lost, b, Vec(Real(0)), c, Vec(Real(0)));

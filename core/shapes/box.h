@@ -91,24 +91,31 @@ struct BoxView {
 };
 
 inline BoxView view_box(const Box& s, Vec from) {
-  const Vec f = to_box(s, from - s.center), h = s.half;
+  // Heights over the faces without what rounding takes: of a flat box seen along its large faces
+  // they would be wrong by more than its thickness times the precision.
+  const Vec w = from - s.center, w_lost = difference_error(from, s.center, w), exact(Real(0));
+  const ExactDot fx = exact_dot(w, w_lost, s.axis[0], exact);
+  const ExactDot fy = exact_dot(w, w_lost, s.axis[1], exact);
+  const ExactDot fz = exact_dot(w, w_lost, s.axis[2], exact);
+  const Vec f{fx.value, fy.value, fz.value}, h = s.half;
   BoxView r;
   r.side = {copysign(Real(1), f.x), copysign(Real(1), f.y), copysign(Real(1), f.z)};
-  const Vec low = -h - f, near = h * r.side - f;
+  const Vec low = -h - f, face = h * r.side, rounded = face - f;
+  const Vec near = rounded + (difference_error(face, f, rounded) - Vec{fx.lost, fy.lost, fz.lost});
   const Vec x{h.x * Real(2), Real(0), Real(0)}, y{Real(0), h.y * Real(2), Real(0)},
       z{Real(0), Real(0), h.z * Real(2)};
-  const Vec exact(Real(0));  // a face seen edge on is not seen alone
   r.face[0] = spherical_parallelogram({near.x, low.y, low.z}, exact, y, z);
   r.face[1] = spherical_parallelogram({low.x, near.y, low.z}, exact, z, x);
   r.face[2] = spherical_parallelogram({low.x, low.y, near.z}, exact, x, y);
-  const Mask seen[3] = {abs(f.x) > h.x, abs(f.y) > h.y, abs(f.z) > h.z};
+  const Vec height = -(near * r.side);
+  const Mask seen[3] = {height.x > Real(0), height.y > Real(0), height.z > Real(0)};
   r.total = Real(0);
   for (unsigned i = 0; i < 3; ++i) {
     r.face[i].half = select(seen[i], r.face[i].half, Real(0));
     r.total += r.face[i].half;
   }
   const Real margin = Real(kSurfaceMargin) * (h.x + h.y + h.z);
-  r.outside = max_component(Vec{abs(f.x), abs(f.y), abs(f.z)} - h) > margin;
+  r.outside = max_component(height) > margin;
   return r;
 }
 

@@ -109,30 +109,57 @@ inline Surface surface_pyramid(const Pyramid& s, const Ray& ray, Real t, Coordin
   return r;
 }
 
+/// A vertex of face i relative to a point, its edges to the two others (counter-clockwise seen from
+/// outside), and what rounding takes from the three.
+struct FaceCorner {
+  Vec p, pq, pr, p_lost, pq_lost, pr_lost;
+};
+
+inline FaceCorner select(Mask m, const FaceCorner& a, const FaceCorner& b) {
+  return {select(m, a.p, b.p),
+          select(m, a.pq, b.pq),
+          select(m, a.pr, b.pr),
+          select(m, a.p_lost, b.p_lost),
+          select(m, a.pq_lost, b.pq_lost),
+          select(m, a.pr_lost, b.pr_lost)};
+}
+
 /// The faces that a point sees: half the solid angle of each, 0 for those that look away.
 struct PyramidView {
+  FaceCorner face[4];
   Real half[4];
   Real total;    ///< half the solid angle of the pyramid
   Mask outside;  ///< of at least one face, beyond rounding
 };
 
 inline PyramidView view_pyramid(const Pyramid& s, Vec from) {
-  const Vec w[4] = {s.v0 - from, s.v0 + s.edge[0] - from, s.v0 + s.edge[1] - from,
-                    s.v0 + s.edge[2] - from};
-  const Real l[4] = {length(w[0]), length(w[1]), length(w[2]), length(w[3])};
-  const Real margin = Real(kSurfaceMargin) * (l[0] + l[1] + l[2] + l[3]);
-  constexpr unsigned kVertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const Vec* const e = s.edge;
+  const Vec exact(Real(0)), f = s.v0 - from, f_lost = difference_error(s.v0, from, f);
+  const Vec p = f + e[0], u = e[1] - e[0], v = e[2] - e[0];
   PyramidView r;
+  // Heights over the faces without what rounding takes: of a flat pyramid seen along its large
+  // faces they would be wrong by more than its thickness times the precision.
+  r.face[0] = {p,
+               u,
+               v,
+               f_lost + difference_error(f, -e[0], p),
+               difference_error(e[1], e[0], u),
+               difference_error(e[2], e[0], v)};
+  r.face[1] = {f, e[2], e[1], f_lost, exact, exact};
+  r.face[2] = {f, e[0], e[2], f_lost, exact, exact};
+  r.face[3] = {f, e[1], e[0], f_lost, exact, exact};
+  const Real size = sqrt(length_squared(e[0]) + length_squared(e[1]) + length_squared(e[2]));
+  const Real margin = Real(kSurfaceMargin) * size;
   r.total = Real(0);
   r.outside = false;
   for (unsigned i = 0; i < 4; ++i) {
-    const auto [a, b, c] = kVertices[i];
-    const Triangle t = face_triangle(s, i);
-    const Real height = -dot(w[a], cross(t.b - t.a, t.c - t.a));
-    const Mask seen = height > Real(0);
-    r.half[i] = select(seen, half_solid_angle(w[a], w[b], w[c], l[a], l[b], l[c], height), Real(0));
+    const FaceCorner& c = r.face[i];
+    const Real height = -triple_product(c.p, c.p_lost, c.pq, c.pq_lost, c.pr, c.pr_lost);
+    const Vec q = c.p + c.pq, k = c.p + c.pr;
+    const Real half = half_solid_angle(c.p, q, k, length(c.p), length(q), length(k), height);
+    r.half[i] = select(height > Real(0), half, Real(0));
     r.total += r.half[i];
-    r.outside = r.outside || -dot(s.n[i], w[a]) > margin;
+    r.outside = r.outside || -dot(s.n[i], c.p) > margin;
   }
   return r;
 }
@@ -142,17 +169,18 @@ inline LightSample sample_pyramid(const Pyramid& s, Vec from, Vec2 u) {
   const PyramidView view = view_pyramid(s, from);
   // The face whose share of the solid angle u.x falls into, and how far into it.
   Int face(0U);
+  FaceCorner corner = view.face[0];
   Real swept = u.x * view.total, behind(0);
   for (unsigned i = 1; i < 4; ++i) {
     behind += view.half[i - 1];
     const Mask m = u.x * view.total >= behind && view.half[i] > Real(0);
     face = select(m, Int(i), face);
+    corner = select(m, view.face[i], corner);
     swept = select(m, u.x * view.total - behind, swept);
   }
-  const Triangle tri = face_triangles(s, face);
-  const Vec a = tri.a - from;
-  const Vec d = sample_spherical_fan(a, tri.b - from, tri.b - tri.a, tri.c - tri.a, swept, u.y);
-  LightSample r = toward_plane(d, a, face_normal(s, face), T(0.5) / view.total);
+  const Vec d =
+      sample_spherical_fan(corner.p, corner.p + corner.pq, corner.pq, corner.pr, swept, u.y);
+  LightSample r = toward_plane(d, corner.p, face_normal(s, face), T(0.5) / view.total);
   if (any(!view.outside)) {
     const Ray ray = probe_ray(from, square_to_sphere(u));
     const PyramidInterval i = hit_pyramid_faces(s, ray);
