@@ -10,6 +10,7 @@
 namespace lightbench::stress {
 
 std::string name_of(const LightKind& kind) {
+  if (kind.flat) return std::string("flat ") + name_of(kind.kind);
   if (!kind.stretched) return name_of(kind.kind);
   if (kind.kind == Kind::Sphere) return "ellipsoid";
   return std::string("elliptic ") + name_of(kind.kind);
@@ -34,7 +35,8 @@ LightStage light_stage(Random& random, const LightKind& kind, double reach, Kern
       transform.axis = random.direction();
       transform.degrees = random.between(0, 360);
     }
-    stage.shape = random_shape(random, kind.kind);
+    stage.shape =
+        kind.flat ? random_flat_solid(random, kind.kind) : random_shape(random, kind.kind);
     stage.to_world = object_to_world(transform);
     add_object(scene, stage.shape, transform);
   }

@@ -13,6 +13,7 @@ namespace lightbench::stress {
 struct LightKind {
   Kind kind;
   bool stretched = false;  ///< turned and scaled unevenly: an ellipsoid, an oblique cylinder, ...
+  bool flat = false;       ///< a pyramid or box a thousandth as thick as it is wide
 };
 inline constexpr LightKind kLightKinds[] = {
     {Kind::Sphere},    {Kind::Sphere, true}, {Kind::Cylinder}, {Kind::Cylinder, true},

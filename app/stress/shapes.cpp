@@ -170,6 +170,24 @@ Shape random_shape(Random& random, Kind kind) {
   return random_triangle(random);
 }
 
+Shape random_flat_solid(Random& random, Kind kind) {
+  if (kind == Kind::Box) {
+    dvec3 half = on_grid(random.in_cube(0.4) + 0.6);
+    half[random.below(3)] = 0x1p-10;
+    return BoxShape{-half, half};
+  }
+  for (;;) {
+    const TriangleShape base = random_triangle(random);
+    const dvec3 u = base.b - base.a, v = base.c - base.a;
+    const double s = random.between(-1, 2);
+    // The grid keeps the fourth corner out of the others' plane.
+    const dvec3 top = on_grid(base.a + s * u + random.between(-1, 2) * v);
+    const dvec3 n = glm::cross(u, v);
+    const double height = std::abs(glm::dot(top - base.a, n)) / glm::length(n);
+    if (height > 1e-4) return PyramidShape{{base.a, base.b, base.c, top}};
+  }
+}
+
 Mesh cube_mesh(double half) {
   Mesh mesh;
   for (unsigned k = 0; k < 8; ++k) {

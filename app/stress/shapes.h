@@ -17,6 +17,8 @@ bool is_solid(Kind kind);
 
 /// Any kind but a mesh. Coordinates are multiples of 2^-10, which float holds exactly.
 Shape random_shape(Random& random, Kind kind);
+/// A pyramid or box about a thousandth as thick as it is wide.
+Shape random_flat_solid(Random& random, Kind kind);
 /// Closed and convex, twelve triangles.
 Mesh cube_mesh(double half);
 
