@@ -52,10 +52,11 @@ double polyhedron_irradiance(const Receiver& receiver,
   return sum;
 }
 
-double patch_irradiance(const Receiver& receiver, const std::vector<Patch>& patches, int n) {
+double patch_irradiance(const Receiver& receiver, const std::vector<EmittingPatch>& patches,
+                        int n) {
   const double cell = 1.0 / n, h = 1e-5;
   double sum = 0;
-  for (const Patch& patch : patches) {
+  for (const EmittingPatch& patch : patches) {
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
         const dvec2 u((i + 0.5) * cell, (j + 0.5) * cell);

@@ -25,14 +25,15 @@ double polyhedron_irradiance(const Receiver& receiver,
                              const std::vector<std::vector<glm::dvec3>>& faces);
 
 /// A surface patch over the unit square, and the radiance it emits there.
-struct Patch {
+struct EmittingPatch {
   std::function<glm::dvec3(glm::dvec2)> point;
   std::function<double(glm::dvec2)> radiance = [](glm::dvec2) { return 1.0; };
   bool flipped = false;  ///< front against dp/du x dp/dv instead of along it
 };
 /// Irradiance from the patches' fronts, nothing between, by the midpoint rule on n x n cells. Exact
 /// visibility for the outside of convex bodies.
-double patch_irradiance(const Receiver& receiver, const std::vector<Patch>& patches, int n = 1000);
+double patch_irradiance(const Receiver& receiver, const std::vector<EmittingPatch>& patches,
+                        int n = 1000);
 
 /// Share of the unit disc to the right of the chord x = s.
 double disc_share_beyond(double s);

@@ -32,7 +32,7 @@ double over_the_middle_of_a_rectangle() {
 constexpr double kLambert = 0.5 / std::numbers::pi;  // albedo over pi
 
 double tilted_disc() {
-  const Patch patch = disc_patch({-1, 2, 0.5}, {1, -1, -0.3}, 0.8, {});
+  const EmittingPatch patch = disc_patch({-1, 2, 0.5}, {1, -1, -0.3}, 0.8, {});
   return kLambert * 10 * patch_irradiance({}, {patch});
 }
 

@@ -161,8 +161,8 @@ TEST_P(Irradiance, FromSolids) {
           scene_with(box), 512);
     check(std::string("pyramid") + where, polyhedron_irradiance({}, pyramid_faces(pyramid, t)),
           scene_with(pyramid), 512);
-    std::vector<Patch> patches = cylinder_patches(cylinder, t);
-    for (Patch& p : patches) p.flipped = t.scale.x < 0;
+    std::vector<EmittingPatch> patches = cylinder_patches(cylinder, t);
+    for (EmittingPatch& p : patches) p.flipped = t.scale.x < 0;
     check(std::string("cylinder") + where, patch_irradiance({}, patches), scene_with(cylinder),
           512);
     std::vector<std::vector<dvec3>> triangles;
@@ -252,14 +252,14 @@ TEST_P(Irradiance, FromTexturedLights) {
              polygon_irradiance({}, {point({0, 0.5}), point({0.5, 0.5}), point({0, 1})}));
   check("triangle, uv", 3 * sum,
         scene_with(TriangleShape{point({0, 0}), point({1, 0}), point({0, 1})}, true));
-  Patch patch{point, [&](dvec2 u) { return 3 * checker_at(point(u)); }};
+  EmittingPatch patch{point, [&](dvec2 u) { return 3 * checker_at(point(u)); }};
   check("rectangle, solid", patch_irradiance({}, {patch}, 2000), scene_with(rectangle, false), 512);
 
   // Solid textures live in object space: the sphere's move with it.
   Transform t = turned({1, 2, -1}, 40, {0.6, 2, -0.4});
   const SphereShape ball{{0.1, 0.2, 0}, 0.8, {0, 0, 0}};
   patch = sphere_patch(ball, t);
-  const Patch local = sphere_patch(ball, {});
+  const EmittingPatch local = sphere_patch(ball, {});
   patch.radiance = [&](dvec2 u) { return 3 * checker_at(local.point(u)); };
   check("sphere, solid", patch_irradiance({}, {patch}, 2000), scene_with(ball, false, t), 512);
 

@@ -26,7 +26,7 @@ std::vector<dvec3> place_all(const Transform& t, std::vector<dvec3> points) {
   return points;
 }
 
-Patch sphere_patch(const SphereShape& s, const Transform& t) {
+EmittingPatch sphere_patch(const SphereShape& s, const Transform& t) {
   return {[=](dvec2 u) {
     const double z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0, 1 - z * z)), phi = 2 * kPi * u.y;
     return place(t, s.center + s.radius * dvec3(r * std::cos(phi), r * std::sin(phi), z));
@@ -34,7 +34,8 @@ Patch sphere_patch(const SphereShape& s, const Transform& t) {
 }
 
 /// Rings of equal area.
-Patch disc_patch(const dvec3& center, const dvec3& normal, double radius, const Transform& t) {
+EmittingPatch disc_patch(const dvec3& center, const dvec3& normal, double radius,
+                         const Transform& t) {
   const dvec3 n = glm::normalize(normal);
   const dvec3 a =
       glm::normalize(glm::cross(n, std::abs(n.x) > 0.6 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
@@ -45,11 +46,11 @@ Patch disc_patch(const dvec3& center, const dvec3& normal, double radius, const 
   }};
 }
 
-std::vector<Patch> cylinder_patches(const CylinderShape& c, const Transform& t) {
+std::vector<EmittingPatch> cylinder_patches(const CylinderShape& c, const Transform& t) {
   const dvec3 axis = glm::normalize(c.p1 - c.p0);
   const dvec3 a = glm::normalize(glm::cross(axis, dvec3(0.3, 0.5, 0.9)));
   const dvec3 b = glm::cross(axis, a);
-  const Patch side{[=](dvec2 u) {
+  const EmittingPatch side{[=](dvec2 u) {
     const double phi = 2 * kPi * u.x;
     return place(t,
                  c.p0 + (c.p1 - c.p0) * u.y + c.radius * (a * std::cos(phi) + b * std::sin(phi)));
