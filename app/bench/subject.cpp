@@ -103,17 +103,19 @@ std::vector<float> Bench::bias_map() const {
 }
 
 std::vector<float> Bench::cost_map() const {
+  constexpr std::size_t kEdge = kCostTile;
+  const auto width = static_cast<std::size_t>(reference_.width);
+  const auto height = static_cast<std::size_t>(reference_.height);
+  const auto across = static_cast<std::size_t>(tiles_across(reference_.width));
+  const auto samples = static_cast<double>(std::max<std::uint64_t>(1, samples_));
   std::vector<float> map(reference_.pixel_count());
-  const int across = tiles_across(reference_.width);
-  for (int y = 0; y < reference_.height; ++y) {
-    for (int x = 0; x < reference_.width; ++x) {
-      const int tx = x / kCostTile, ty = y / kCostTile;
-      const int width = std::min(kCostTile, reference_.width - tx * kCostTile);
-      const int height = std::min(kCostTile, reference_.height - ty * kCostTile);
-      const double samples =
-          static_cast<double>(std::max<std::uint64_t>(1, samples_)) * width * height;
-      map[static_cast<std::size_t>(y * reference_.width + x)] = static_cast<float>(
-          1e9 * tile_seconds_[static_cast<std::size_t>(ty * across + tx)] / samples);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t tx = x / kEdge, ty = y / kEdge;
+      const std::size_t pixels =
+          std::min(kEdge, width - tx * kEdge) * std::min(kEdge, height - ty * kEdge);
+      map[y * width + x] = static_cast<float>(1e9 * tile_seconds_[ty * across + tx] /
+                                              (samples * static_cast<double>(pixels)));
     }
   }
   return map;

@@ -278,7 +278,7 @@ void judge(const Case& c, KernelKind kernel, std::span<Tally> tallies) {
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       if (clean && (c.covers == Covers::All || x >= kSide / 2)) continue;
-      const auto i = static_cast<std::size_t>(y * kSide + x);
+      const auto i = static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
       tallies[kNeighbours].trial();
       if (!same(seen.pixels[i], expected.pixels[i])) {
         fail(kNeighbours, fmt::format("pixel {},{} changed", x, y));
