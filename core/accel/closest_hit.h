@@ -186,11 +186,11 @@ bool walk(const BvhNode* nodes, const BvhMotion* motion, const SingleRay& ray, c
     for (int k = 0; k < kBvhWidth; k += kLanes) {
       Real near(0), far(t_max);
       for (int a = 0; a < 3; ++a) {
-        Real lo = load(node.lo[a] + k), hi = load(node.hi[a] + k);
+        Real lo = load_of_8(node.lo[a] + k), hi = load_of_8(node.hi[a] + k);
         if (motion != nullptr) {
           const BvhMotion& m = motion[entry.child];
-          lo = fma(load(m.lo[a] + k), Real(ray.time), lo);
-          hi = fma(load(m.hi[a] + k), Real(ray.time), hi);
+          lo = fma(load_of_8(m.lo[a] + k), Real(ray.time), lo);
+          hi = fma(load_of_8(m.hi[a] + k), Real(ray.time), hi);
         }
         const Real first = negative[a] ? hi : lo, last = negative[a] ? lo : hi;
         // 0 * inf is NaN where the ray runs within a box's face: max and min then ignore this axis.
@@ -241,9 +241,9 @@ MeshHit hit_mesh(const MeshView<T>& mesh, const SingleRay& ray, T t_min, T t_max
       const TriangleBlock<T>& block = mesh.blocks[b];
       for (int k = 0; k < kBvhWidth; k += kLanes) {
         const auto vertex = [&](unsigned i) {
-          return Vec{load(block.v[3 * i + x] + k) - Real(ray.o[x]),
-                     load(block.v[3 * i + y] + k) - Real(ray.o[y]),
-                     load(block.v[3 * i + z] + k) - Real(ray.o[z])};
+          return Vec{load_of_8(block.v[3 * i + x] + k) - Real(ray.o[x]),
+                     load_of_8(block.v[3 * i + y] + k) - Real(ray.o[y]),
+                     load_of_8(block.v[3 * i + z] + k) - Real(ray.o[z])};
         };
         const TriangleHit h =
             hit_sheared(vertex(0), vertex(1), vertex(2), Real(sx), Real(sy), Real(sz));
