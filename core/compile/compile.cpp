@@ -213,7 +213,8 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
   }
   const double peak =
       std::max(p.materials->brightest, brightest(scene.environment, p.environment_peak));
-  result->film_unit = peak > 0 ? std::ldexp(1.0, std::ilogb(peak) + 1) : 1.0;
+  const bool shines = peak > 0 && std::isfinite(peak);
+  result->film_unit = shines ? std::ldexp(1.0, std::ilogb(peak) + 1) : 1.0;
   result->width = scene.render.width;
   result->height = scene.render.height;
   result->crop = scene.render.crop.width > 0 ? scene.render.crop

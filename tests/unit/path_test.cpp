@@ -121,6 +121,7 @@ TEST(DroppedSamples, OfEveryCauseAreNamedByRenderingAndShownByTheirPath) {
     scene.environment.color = color;
     for (const KernelKind kind : {KernelKind::Auto, KernelKind::Scalar, KernelKind::Reference}) {
       const auto compiled = compile(scene, kind);
+      EXPECT_GT(compiled->film_unit, 0) << "infinite light has no size to measure it by";
       Film film(3, 2, 1.0);
       Counters counters;
       render(*compiled, {1, 1, 3, 2, 5, 4, 1}, film.view(), counters);
