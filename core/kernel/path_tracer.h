@@ -3,6 +3,8 @@
 // heuristic). One path per lane, advanced one vertex at a time; a lane whose path ends takes the
 // next (pixel, sample) at once, so lanes never idle while work is left.
 
+#include "core/accel/closest_hit.h"
+#include "core/accel/hit_surface.h"
 #include "core/kernel/path_end.h"
 #include "core/kernel/path_starts.h"
 #include "core/kernel/paths.h"

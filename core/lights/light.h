@@ -2,7 +2,8 @@
 // Light sampling: a light is chosen in proportion to its power by an alias table, then a direction
 // to it by its shape. Every pdf here is the density of its sampler, in solid angle.
 
-#include "core/accel/closest_hit.h"
+#include "core/accel/hit_surface.h"
+#include "core/accel/primitive_hit.h"
 #include "core/sampling/sobol.h"
 
 LIGHTBENCH_KERNEL_BEGIN

@@ -3,7 +3,8 @@
 // the shape's own interval, so a ray may start anywhere and media may overlap (each is an
 // independent process, as in the books) without any bookkeeping along the path.
 
-#include "core/accel/closest_hit.h"
+#include "core/accel/mesh_hit.h"
+#include "core/accel/primitive_hit.h"
 #include "core/sampling/sobol.h"
 
 LIGHTBENCH_KERNEL_BEGIN

@@ -13,6 +13,11 @@ struct MeshInstance {
 
 inline MeshInstance mesh_at(const Row& row) { return {affine_at(row, 0), affine_at(row, 12)}; }
 
+/// The mesh of instance i.
+inline const MeshView<T>& mesh_of(const SceneView<T>& scene, std::uint32_t i) {
+  return scene.meshes[static_cast<std::uint32_t>(scene.rows[scene.row[i] + MeshInstance::kRow])];
+}
+
 /// One triangle of a mesh per lane.
 struct MeshTriangle {
   Triangle vertices;  ///< mesh space

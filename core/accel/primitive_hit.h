@@ -1,0 +1,142 @@
+#pragma once
+// Rays against analytic primitives: one primitive in all lanes at once, and a tiny scene's all.
+
+#include "core/accel/nearest_hit.h"
+#include "core/shapes/box.h"
+#include "core/shapes/cylinder.h"
+#include "core/shapes/disc.h"
+#include "core/shapes/pyramid.h"
+#include "core/shapes/rectangle.h"
+#include "core/shapes/sphere.h"
+#include "core/shapes/triangle.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+constexpr bool is_planar(PrimitiveKind kind) {
+  return kind == PrimitiveKind::Disc || kind == PrimitiveKind::Rectangle ||
+         kind == PrimitiveKind::Triangle;
+}
+
+/// Interval of solid primitive i of the given kind.
+template <PrimitiveKind kKind>
+Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
+  const Row row{scene.rows + scene.row[i]};
+  if constexpr (kKind == PrimitiveKind::Sphere)
+    return hit_sphere(sphere_at(row, ray.time), ray, scene.hit_quality).span;
+  if constexpr (kKind == PrimitiveKind::Ellipsoid) {
+    return hit_ellipsoid(ellipsoid_at(row, ray.time), ray).span;
+  }
+  if constexpr (kKind == PrimitiveKind::Cylinder)
+    return hit_cylinder(cylinder_at(row), ray, scene.hit_quality);
+  if constexpr (kKind == PrimitiveKind::EllipticCylinder) {
+    return hit_elliptic_cylinder(elliptic_cylinder_at(row), ray);
+  }
+  if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(pyramid_at(row), ray);
+  if constexpr (kKind == PrimitiveKind::Box) return hit_box(box_at(row), ray);
+}
+
+/// Calls f.operator()<kind>() for the kind of primitive i, which is not a mesh.
+template <class F>
+auto with_kind(const SceneView<T>& scene, std::uint32_t i, F f) {
+  switch (static_cast<PrimitiveKind>(scene.kind[i])) {
+    case PrimitiveKind::Sphere:
+      return f.template operator()<PrimitiveKind::Sphere>();
+    case PrimitiveKind::Ellipsoid:
+      return f.template operator()<PrimitiveKind::Ellipsoid>();
+    case PrimitiveKind::Cylinder:
+      return f.template operator()<PrimitiveKind::Cylinder>();
+    case PrimitiveKind::EllipticCylinder:
+      return f.template operator()<PrimitiveKind::EllipticCylinder>();
+    case PrimitiveKind::Disc:
+      return f.template operator()<PrimitiveKind::Disc>();
+    case PrimitiveKind::Rectangle:
+      return f.template operator()<PrimitiveKind::Rectangle>();
+    case PrimitiveKind::Triangle:
+      return f.template operator()<PrimitiveKind::Triangle>();
+    case PrimitiveKind::Pyramid:
+      return f.template operator()<PrimitiveKind::Pyramid>();
+    default:
+      return f.template operator()<PrimitiveKind::Box>();
+  }
+}
+
+/// The same for a kind known only at run time, such as a medium's boundary.
+inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
+  return with_kind(scene, i, [&]<PrimitiveKind kKind>() -> Interval {
+    if constexpr (is_planar(kKind)) {
+      return {Real(0), Real(0), Mask(false)};
+    } else {
+      return solid_interval<kKind>(scene, i, ray);
+    }
+  });
+}
+
+/// Of equal distances the primitive with the smaller index wins. Where primitives are tested by
+/// rising index, the first simply stays.
+enum class TestOrder { Rising, Any };
+
+/// Ray against analytic primitive i in all active lanes.
+template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
+inline void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
+                           NearestHit& hit) {
+  const Row row{scene.rows + scene.row[i]};
+  const Mask self = ray.from == Int(i);
+  const auto report = [&](Real t, Mask m) {
+    Mask nearer = t < hit.t;
+    if (kOrder == TestOrder::Any) nearer = nearer || (t == hit.t && Int(i) < hit.primitive);
+    m = m && active && nearer;
+    hit.t = select(m, t, hit.t);
+    hit.primitive = select(m, Int(i), hit.primitive);
+    return m;
+  };
+  if constexpr (is_planar(kKind)) {
+    const Mask barred = kShadow ? self || ray.skip == Int(i) : self;
+    if constexpr (kKind == PrimitiveKind::Triangle) {
+      const TriangleHit h = hit_triangle(triangle_at(row), ray);
+      const Mask m = report(h.t, h.hit && !barred && h.t > Real(0));
+      hit.b1 = select(m, h.b1, hit.b1);
+      hit.b2 = select(m, h.b2, hit.b2);
+    } else {
+      PlaneHit h;
+      if constexpr (kKind == PrimitiveKind::Disc) h = hit_disc(disc_at(row), ray);
+      if constexpr (kKind == PrimitiveKind::Rectangle) h = hit_rectangle(rectangle_at(row), ray);
+      report(h.t, h.hit && !barred && h.t > Real(0));
+    }
+  } else {
+    const Interval s = solid_interval<kKind>(scene, i, ray);
+    Mask entry = s.hit && s.near > Real(0) && !self;
+    Mask exit = s.hit && s.far > Real(0) && (!self || ray.inside);
+    if (kShadow) {
+      const Mask target = ray.skip == Int(i);
+      entry = entry && (!target || ray.skip_back);
+      exit = exit && !target;
+    }
+    report(select(entry, s.near, s.far), entry || exit);
+  }
+}
+
+/// All surfaces of one kind.
+template <bool kShadow, PrimitiveKind kKind>
+inline void test_run(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+  constexpr auto k = static_cast<unsigned>(kKind);
+  const std::uint32_t end = scene.kind_begin[k + 1];
+  for (std::uint32_t i = scene.kind_begin[k]; i < end; ++i) {
+    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
+  }
+}
+
+/// Every surface against all lanes.
+template <bool kShadow>
+void test_all(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+  test_run<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Pyramid>(scene, ray, active, hit);
+  test_run<kShadow, PrimitiveKind::Box>(scene, ray, active, hit);
+}
+
+LIGHTBENCH_KERNEL_END
