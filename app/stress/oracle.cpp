@@ -212,6 +212,25 @@ Number outside_of(const Shape& shape, const V& p) {
   return dot(face.n, p) - face.offset;
 }
 
+Number off_face(const Shape& shape, const V& p, const V& n) {
+  if (const auto* s = std::get_if<CylinderShape>(&shape)) {
+    const Frame c = frame_of(*s);
+    const Number z = dot(p - c.middle, c.axis);
+    const bool cap = std::abs(dot(n, c.axis)) > Number(0.5);
+    return cap ? std::abs(z) - c.half
+               : length(p - c.middle - z * c.axis) - static_cast<Number>(s->radius);
+  }
+  if (std::holds_alternative<SphereShape>(shape)) return outside_of(shape, p);
+  const bool box = std::holds_alternative<BoxShape>(shape);
+  if (!box && !std::holds_alternative<PyramidShape>(shape)) return off_plane(shape, p);
+  const auto faces =
+      box ? faces_of(std::get<BoxShape>(shape)) : faces_of(std::get<PyramidShape>(shape));
+  const HalfSpace& face =
+      *std::max_element(faces.begin(), faces.end(),
+                        [&](const auto& a, const auto& b) { return dot(a.n, n) < dot(b.n, n); });
+  return dot(face.n, p) - face.offset;
+}
+
 V solid_normal(const Shape& shape, const V& p) {
   if (const auto* s = std::get_if<SphereShape>(&shape)) return normalize(p - V(s->center));
   if (const auto* s = std::get_if<CylinderShape>(&shape)) {

@@ -34,6 +34,9 @@ struct Span {
 Span solid_span(const Shape& shape, const OracleRay& ray, Number grow = 0);
 /// How far p is outside the solid's surface; negative inside.
 Number outside_of(const Shape& shape, const V& p);
+/// How far p is off the plane or the curved surface of the face with unit normal n, its borders
+/// left out of account; any shape but a mesh.
+Number off_face(const Shape& shape, const V& p, const V& n);
 /// Outward normal of the face that p is on or nearest to.
 V solid_normal(const Shape& shape, const V& p);
 

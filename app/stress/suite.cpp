@@ -98,6 +98,7 @@ std::vector<Test> stress_tests() {
   add_mesh_leak_tests(tests);
   add_solid_leak_tests(tests);
   add_self_hit_tests(tests);
+  add_light_angle_tests(tests);
   add_light_tests(tests);
   add_light_variance_tests(tests);
   add_bsdf_tests(tests);

@@ -126,6 +126,7 @@ void add_polyhedron_tests(std::vector<Test>& tests);
 void add_mesh_leak_tests(std::vector<Test>& tests);
 void add_solid_leak_tests(std::vector<Test>& tests);
 void add_self_hit_tests(std::vector<Test>& tests);
+void add_light_angle_tests(std::vector<Test>& tests);
 void add_light_tests(std::vector<Test>& tests);
 void add_light_variance_tests(std::vector<Test>& tests);
 void add_bsdf_tests(std::vector<Test>& tests);

@@ -19,7 +19,8 @@ struct CylinderSide {
   Vec x, y;             ///< what x and y map to, less what they have along the axis ...
   Real lean_x, lean_y;  ///< ... and that
   Real rho, gap;        ///< gap = rho^2 - 1, without cancellation
-  Real top, bottom;     ///< signed distances along the axis from the point to the caps on it
+  Real top, bottom;     ///< signed distances along the axis from the point to the caps on it ...
+  Real height;          ///< ... and their difference, which from afar would cancel
   Real turn;            ///< |x cross y|
   // The density of azimuths, by nodes.
   Real azimuth[kHalf + 1];  ///< from the middle one on; the others mirror them
@@ -61,7 +62,7 @@ inline SideLine side_line(const CylinderSide& s, Real sine, Real cosine, Real ch
   // sign, the plain difference not if they have two.
   const Real product = r.low * r.high;
   const Real one_sign =
-      run2 * (s.top - s.bottom) * (r.slant_low + r.slant_high) /
+      run2 * s.height * (r.slant_low + r.slant_high) /
       (r.slant_low * r.slant_high * (fma(r.slant_low, r.slant_high, run2) + max(product, Real(0))));
   const Real two_signs = r.high / r.slant_high - r.low / r.slant_low;
   r.sines = select(product > Real(0), one_sign, two_signs);
@@ -141,17 +142,18 @@ inline SideSample sample_cylinder_side(const CylinderSide& s, Vec2 u) {
   sincos(psi, sine, cosine);
   const SideLine line = side_line_toward(s, cosine, sine);
 
-  // sin(e), from its distance to 1 if the side is all above or all below the point.
+  // sin(e), from its distance to the nearer end of [-1, 1]: of a line along the axis both of its
+  // ends are near those.
   const Real run2 = line.run * line.run;
   const Real low_rest = run2 / (line.slant_low * (line.slant_low + abs(line.low)));
   const Real high_rest = run2 / (line.slant_high * (line.slant_high + abs(line.high)));
-  const Mask under = line.high<Real(0), over = line.low> Real(0);
-  const Real one_less =
-      select(under, fma(u.y, line.sines, low_rest), fma(Real(1) - u.y, line.sines, high_rest));
-  const Real between = fma(u.y, line.sines, line.low / line.slant_low);
-  const Real up = select(under, one_less - Real(1), select(over, Real(1) - one_less, between));
-  const Real level = safe_sqrt(select(under || over, one_less * (T(2) - one_less),
-                                      (Real(1) - between) * (Real(1) + between)));
+  const Real from_low = fma(u.y, line.sines, low_rest);
+  const Real from_high = fma(Real(1) - u.y, line.sines, high_rest);
+  const Mask over = line.low > Real(0);
+  const Mask down = line.high < Real(0) || (!over && from_low < from_high);
+  const Real one_less = select(down, from_low, from_high);
+  const Real up = select(down, one_less - Real(1), Real(1) - one_less);
+  const Real level = safe_sqrt(one_less * (T(2) - one_less));
   SideSample r;
   r.d = madd(line.toward, level, s.axis * up);
   r.distance = line.run / level;

@@ -161,6 +161,7 @@ inline CylinderView view_cylinder(const Cylinder& c, Vec from) {
     s.gap = (rho - c.radius) * (rho + c.radius) * (inverse * inverse);
     s.top = c.half - height;
     s.bottom = -c.half - height;
+    s.height = T(2) * c.half;
     s.turn = c.radius * c.radius;
     prepare_cylinder_side(s);
   }
@@ -284,6 +285,7 @@ inline EllipticCylinderView view_elliptic_cylinder(const EllipticCylinder& e, Ve
     s.gap = (rho - Real(1)) * (rho + Real(1));
     s.top = half * (Real(1) - r.local.y);
     s.bottom = half * (Real(-1) - r.local.y);
+    s.height = T(2) * half;
     s.turn = e.determinant / half;
     prepare_cylinder_side(s);
   }
