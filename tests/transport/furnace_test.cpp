@@ -129,7 +129,8 @@ TEST_P(Furnace, FuzzyMetalReflectsWhatStaysAboveTheSurface) {
 }
 
 TEST_P(Furnace, NoMetalReturnsMoreThanItGets) {
-  const int spp = GetParam().spp(64);
+  // With fewer, some pixel's samples are all absorbed.
+  const int spp = std::max(GetParam().spp(64), 8);
   for (const Material& m : {rough_metal(glm::dvec3(1), 0.1), rough_metal(glm::dvec3(1), 0.5),
                             rough_metal(glm::dvec3(1), 1), fuzzy_metal(glm::dvec3(1), 0.05),
                             fuzzy_metal(glm::dvec3(1), 1)}) {
