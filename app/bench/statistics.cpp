@@ -5,17 +5,10 @@
 #include <numeric>
 #include <random>
 
+#include "app/proof/statistics.h"
+
 namespace lightbench::bench {
 namespace {
-
-/// Two-sided 95 % quantile of Student's t for n - 1 degrees of freedom; bench makes eight runs at
-/// least, for which Hill's expansion (1970) is good to 1e-3.
-double student_quantile(double freedom) {
-  const double z = 1.959964, n = freedom;
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
-}
 
 /// What a statistic that has no value (0 / 0 in a scene without noise) counts as.
 double or_zero(double x) { return std::isnan(x) ? 0 : x; }
@@ -23,13 +16,10 @@ double or_zero(double x) { return std::isnan(x) ? 0 : x; }
 }  // namespace
 
 Interval mean_interval(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  if (values.size() < 2) return {mean, -INFINITY, INFINITY};
-  double squares = 0;
-  for (const double v : values) squares += (v - mean) * (v - mean);
-  const double half = student_quantile(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return {mean, mean - half, mean + half};
+  const proof::Mean mean = proof::mean_of(values);
+  if (values.size() < 2) return {mean.value, -INFINITY, INFINITY};
+  const double half = proof::student_quantile(0.05, mean.freedom) * mean.error;
+  return {mean.value, mean.value - half, mean.value + half};
 }
 
 Interval bootstrap(std::size_t count,

@@ -2,7 +2,7 @@
 
 #include "core/compile/render_scene.h"
 
-namespace lightbench::arithmetic {
+namespace lightbench::proof::arithmetic {
 
 std::vector<Check> all_supported() {
   std::vector<Check> all;
@@ -17,4 +17,4 @@ std::vector<Check> all_supported() {
   return all;
 }
 
-}  // namespace lightbench::arithmetic
+}  // namespace lightbench::proof::arithmetic

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace lightbench::arithmetic {
+namespace lightbench::proof::arithmetic {
 
 struct Check {
   std::string what;  ///< type and promise: "float: a*b - c*d is not fused"
@@ -23,4 +23,4 @@ std::vector<Check> avx512();
 /// The checks with the flags of every kernel that this processor runs, named by instruction set.
 std::vector<Check> all_supported();
 
-}  // namespace lightbench::arithmetic
+}  // namespace lightbench::proof::arithmetic

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-namespace lightbench {
+namespace lightbench::proof {
 
 Scene dark_scene(int size) {
   Scene s;
@@ -14,6 +14,13 @@ Scene dark_scene(int size) {
 Scene furnace_scene(double radiance, int size) {
   Scene s = dark_scene(size);
   s.environment.color = glm::dvec3(radiance);
+  return s;
+}
+
+Scene wall_scene(double width, int size) {
+  Scene s = dark_scene(size);
+  add(s, RectangleShape{{-width / 2, -width / 2, -3}, {width, 0, 0}, {0, width, 0}},
+      light(glm::dvec3(1)));
   return s;
 }
 
@@ -150,4 +157,4 @@ std::vector<PlacedShape> closed_shapes(Scene& scene) {
           {"mirrored mesh", mesh, mirrored}};
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -5,12 +5,15 @@
 
 #include "core/scene/scene.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 /// A black scene with a small square picture.
 Scene dark_scene(int size = 32);
 /// The same within an environment of one radiance from everywhere.
 Scene furnace_scene(double radiance = 1, int size = 32);
+
+/// A black scene before a square wall behind z = -3, `width` wide, that emits 1 towards +z.
+Scene wall_scene(double width, int size = 32);
 
 /// The whole picture looks along one ray, from `from` to `at`: it shows one point.
 void aim(Scene& scene, const glm::dvec3& from, const glm::dvec3& at);
@@ -50,4 +53,4 @@ Mesh octahedron(double radius = 1);
 /// Every closed convex shape, about 2 wide and around the origin; meshes are added to `scene`.
 std::vector<PlacedShape> closed_shapes(Scene& scene);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-namespace lightbench::statistics {
+namespace lightbench::proof {
 
 double upper_incomplete_gamma(double a, double x) {
   if (x <= 0) return 1;
@@ -58,8 +59,13 @@ ChiSquare chi_square(const std::vector<double>& observed, const std::vector<doub
   return r;
 }
 
+double turn(double y, double x) {
+  const double b = std::atan2(y, x) / (2 * std::numbers::pi);
+  return b - std::floor(b);
+}
+
 double sidak(double alpha, std::size_t tests) {
   return -std::expm1(std::log1p(-alpha) / static_cast<double>(tests));
 }
 
-}  // namespace lightbench::statistics
+}  // namespace lightbench::proof

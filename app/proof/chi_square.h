@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lightbench::statistics {
+namespace lightbench::proof {
 
 struct ChiSquare {
   double statistic = 0;
@@ -20,7 +20,10 @@ ChiSquare chi_square(const std::vector<double>& observed, const std::vector<doub
 /// Q(a, x), the regularised upper incomplete gamma function; accurate to about 1e-12.
 double upper_incomplete_gamma(double a, double x);
 
+/// The azimuth of (x, y) as a share of a full turn, in [0,1]: a coordinate for cells.
+double turn(double y, double x);
+
 /// Significance of each of `tests` independent tests that together have significance `alpha`.
 double sidak(double alpha, std::size_t tests);
 
-}  // namespace lightbench::statistics
+}  // namespace lightbench::proof

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-namespace lightbench {
+namespace lightbench::proof {
 namespace {
 
 using glm::cross;
@@ -130,4 +130,4 @@ double integrate(double low, double high, int n, const std::function<double(doub
   return sum * (high - low) / n;
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::proof {
 
 /// Where irradiance is asked for.
 struct Receiver {
@@ -51,4 +51,4 @@ double fuzz_share_above(double cosine, double fuzz);
 /// Midpoint rule over [low, high].
 double integrate(double low, double high, int n, const std::function<double(double)>& f);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -5,7 +5,7 @@
 
 #include "app/proof/measure.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 namespace {
 
 bool is_still(const Mean& a, const Mean& b) {
@@ -76,4 +76,4 @@ PictureComparison compare_pictures(const TiledPicture& a, const TiledPicture& b)
   return result;
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

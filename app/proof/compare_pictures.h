@@ -10,7 +10,7 @@
 #include "core/compile/render_scene.h"
 #include "core/scene/scene.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 inline constexpr int kTile = 16;  ///< pixels a side
 /// A standard error below this share of the mean is rounding.
@@ -40,4 +40,4 @@ struct PictureComparison {
 /// `a` and `b` must not share seeds.
 PictureComparison compare_pictures(const TiledPicture& a, const TiledPicture& b);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

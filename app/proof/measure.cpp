@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
-#include <thread>
 
+#include "app/on_threads.h"
 #include "core/error.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 namespace {
 
@@ -45,27 +43,16 @@ Film render_on_threads(const RenderScene& scene, int spp, int threads) {
   constexpr int kEdge = 8;
   const int columns = (film.width() + kEdge - 1) / kEdge,
             rows = (film.height() + kEdge - 1) / kEdge;
-  Counters all;
-  std::mutex mutex;
-  std::atomic<int> next{0};
-  const auto work = [&] {
-    Counters counters;
-    for (int tile = next++; tile < columns * rows; tile = next++) {
-      const int x = tile % columns * kEdge, y = tile / columns * kEdge;
-      render(scene,
-             {x, y, std::min(x + kEdge, film.width()), std::min(y + kEdge, film.height()), 0,
-              static_cast<std::uint32_t>(spp), 1},
-             film.view(), counters);
-    }
-    const std::lock_guard lock(mutex);
-    all += counters;
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < threads; ++i) workers.emplace_back(work);
-    work();
-  }
-  expect_complete(all);
+  std::vector<Counters> counters(static_cast<std::size_t>(columns * rows));
+  for_each_on_threads(0, counters.size(), threads, [&](std::uint64_t tile) {
+    const int x = static_cast<int>(tile) % columns * kEdge,
+              y = static_cast<int>(tile) / columns * kEdge;
+    render(scene,
+           {x, y, std::min(x + kEdge, film.width()), std::min(y + kEdge, film.height()), 0,
+            static_cast<std::uint32_t>(spp), 1},
+           film.view(), counters[tile]);
+  });
+  for (const Counters& c : counters) expect_complete(c);
   return film;
 }
 
@@ -119,4 +106,4 @@ Estimate measure_by_seeds(Scene scene, KernelKind kernel, int spp, int seeds) {
   return summarize(means);
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -8,7 +8,7 @@
 #include "core/compile/render_scene.h"
 #include "core/film/film.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 /// The whole picture with `spp` samples in every pixel, from sample number `first`.
 Film render_film(const RenderScene& scene, int spp, int first = 0);
@@ -34,4 +34,4 @@ SizedEstimate measure_uniform_to(const Scene& scene, KernelKind kernel, double e
 /// Whole-picture mean over `seeds` renders with seeds of their own, for pictures that show more.
 Estimate measure_by_seeds(Scene scene, KernelKind kernel, int spp, int seeds);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -6,7 +6,7 @@
 
 #include "app/proof/measure.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 Scene in_other_units(Scene s, double scale, const glm::dvec3& shift) {
   const auto move = [&](glm::dvec3& p) { p = p * scale + shift; };
@@ -65,4 +65,4 @@ PictureDifference picture_difference(const Film& a, const Film& b, int spp) {
   return {sum_b / sum_a, absolute / sum_a};
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -6,7 +6,7 @@
 #include "core/film/film.h"
 #include "core/scene/scene.h"
 
-namespace lightbench {
+namespace lightbench::proof {
 
 /// `scene` in units `scale` times as fine, moved by `shift` (in the new units).
 Scene in_other_units(Scene scene, double scale, const glm::dvec3& shift);
@@ -24,4 +24,4 @@ struct PictureDifference {
 };
 PictureDifference picture_difference(const Film& a, const Film& b, int spp);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace lightbench {
+namespace lightbench::proof {
 namespace {
 
 /// Share of a normal distribution beyond +-z.
@@ -79,6 +79,16 @@ double student_tail(double t, double freedom) {
   return incomplete_beta(freedom / 2, 0.5, freedom / (freedom + t * t));
 }
 
+double student_quantile(double tail, double freedom) {
+  double low = 0, high = 1;
+  while (student_tail(high, freedom) > tail) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (student_tail(middle, freedom) > tail ? low : high) = middle;
+  }
+  return high;
+}
+
 Welch welch(const Mean& a, const Mean& b) {
   const double va = a.error * a.error, vb = b.error * b.error, v = va + vb;
   Welch w;
@@ -106,4 +116,4 @@ double uniformity(std::vector<double> p) {
   return std::clamp(tail, 0.0, 1.0);
 }
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::proof {
 
 /// A mean per colour channel, the standard error of that mean, and its degrees of freedom.
 struct Estimate {
@@ -33,6 +33,8 @@ double sidak_limit(double level, std::size_t members);
 
 /// Probability of a Student's t beyond +-t.
 double student_tail(double t, double freedom);
+/// The t for which student_tail() is `tail`.
+double student_quantile(double tail, double freedom);
 
 /// Welch's test of the difference a - b of two means that need not have the same variance.
 struct Welch {
@@ -45,4 +47,4 @@ Welch welch(const Mean& a, const Mean& b);
 /// the asymptotic tail).
 double uniformity(std::vector<double> p);
 
-}  // namespace lightbench
+}  // namespace lightbench::proof

@@ -4,6 +4,7 @@
 #include "app/stress/suite.h"
 
 namespace lightbench::stress {
+using namespace proof;
 
 void add_arithmetic_tests(std::vector<Test>& tests) {
   tests.push_back(
@@ -16,7 +17,7 @@ void add_arithmetic_tests(std::vector<Test>& tests) {
        1,
        [](KernelKind) -> Chunk {
          return [](Random&, std::uint64_t, std::span<Tally> tallies) {
-           for (const arithmetic::Check& check : arithmetic::all_supported()) {
+           for (const proof::arithmetic::Check& check : proof::arithmetic::all_supported()) {
              tallies[0].trial();
              if (!check.kept) tallies[0].fail([&] { return "not so: " + check.what; });
            }

@@ -15,6 +15,7 @@
 #include "core/query/materials.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;
@@ -67,10 +68,6 @@ struct Chart {
   double alpha = 1;  ///< (1 - a)^2 is then the share of GGX normals that are steeper
   dvec3 wo;
 
-  static double turn(double y, double x) {
-    const double b = std::atan2(y, x) / (2 * kPi);
-    return b - std::floor(b);
-  }
   void coordinates(const dvec3& wi, double& a, double& b) const {
     const dvec3 w = cone > 0 ? wi : wo + wi;
     const double px = glm::dot(w, x), py = glm::dot(w, y), pz = glm::dot(w, z);
@@ -210,7 +207,7 @@ void judge(Random& random, const Case& c, KernelKind kernel, std::span<Tally> ta
   // The invalid samples are known by their number only: it is expected as it is.
   expected.back() = observed.back();
   const double noise = 4.5 * std::sqrt(invalid * (1 - invalid) / kCount);
-  const statistics::ChiSquare r = statistics::chi_square(observed, expected);
+  const proof::ChiSquare r = proof::chi_square(observed, expected);
   const auto text = [&] {
     return fmt::format(
         "{} {} cos {} n {}: chi-square {:.6g} of {}, integral {:.6g}, invalid "

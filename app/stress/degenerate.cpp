@@ -18,6 +18,7 @@
 #include "core/scene/scene_io.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;

@@ -13,6 +13,7 @@
 #include "core/session/session.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 constexpr int kSize = 40, kSpp = 6;

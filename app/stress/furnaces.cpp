@@ -10,6 +10,7 @@
 #include "core/query/materials.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 /// Mean weight of so many samples, spread evenly (Kronecker sequence of the plastic constant).

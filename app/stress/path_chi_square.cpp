@@ -14,6 +14,7 @@
 #include "core/query/path.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -49,11 +50,6 @@ Scene scene_of(Part part) {
     add_object(scene, SphereShape{{0, 0, 50}, 1, {1, 0, 0}});  // behind the camera
   }
   return scene;
-}
-
-double turn(double y, double x) {
-  const double b = std::atan2(y, x) / (2 * kPi);
-  return b - std::floor(b);
 }
 
 /// Position in the pixel in units of the filter's radius, from the first segment.
@@ -123,7 +119,7 @@ void judge(Random& random, Part part, const RenderScene& scene, std::span<Tally>
   }
   const std::vector<double> expected(
       observed.size(), static_cast<double>(kSamples) / static_cast<double>(observed.size()));
-  const statistics::ChiSquare r = statistics::chi_square(observed, expected);
+  const proof::ChiSquare r = proof::chi_square(observed, expected);
   const auto text = [&] {
     return fmt::format(
         "{}, sample {} of every eighth pixel: chi-square {:.6g} of {}, {:.3g} "

@@ -10,6 +10,7 @@
 #include "app/stress/pictures.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;

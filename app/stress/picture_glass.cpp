@@ -13,24 +13,18 @@
 #include "app/stress/pictures.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;
 constexpr double kPi = std::numbers::pi;
-
-/// A wall behind z = -3 that emits 1 towards +z, wide enough for every angle asked below.
-Scene wall_scene() {
-  Scene s = dark_scene(16);
-  add(s, RectangleShape{{-2000, -2000, -3}, {4000, 0, 0}, {0, 4000, 0}}, light(dvec3(1)));
-  return s;
-}
 
 /// Every face of a plate reflects F: the wall is seen with (1 - F) / (1 + F).
 KnownPicture plate(Random& random, Precision precision) {
   KnownPicture known;
   const double ior = random.chance(0.3) ? 1 + random.decade(-4, -1) : random.between(1.1, 2.5);
   const double degrees = random.between(0, 85), angle = degrees * kPi / 180;
-  known.scene = wall_scene();
+  known.scene = wall_scene(4000, 16);
   add(known.scene, BoxShape{{-1000, -1000, -0.5}, {1000, 1000, 0.5}}, glass(ior));
   aim(known.scene, {2 * std::tan(angle), 0, 2}, dvec3(0));
   const auto passes = [&](double a) {
@@ -49,7 +43,7 @@ KnownPicture plate(Random& random, Precision precision) {
 KnownPicture hollow(Random& random, Precision) {
   KnownPicture known;
   const double ior = random.between(1.1, 2.5), hole = random.decade(-3, -0.01);
-  known.scene = wall_scene();
+  known.scene = wall_scene(4000, 16);
   add(known.scene, SphereShape{{0, 0, 0}, 1, {0, 0, 0}}, glass(ior));
   add(known.scene, SphereShape{{0, 0, 0}, hole, {0, 0, 0}}, glass(1 / ior));
   aim(known.scene, {0, 0, 5}, dvec3(0));
@@ -63,7 +57,7 @@ KnownPicture hollow(Random& random, Precision) {
 KnownPicture matched(Random& random, Precision) {
   KnownPicture known;
   Scene& s = known.scene;
-  s = wall_scene();
+  s = wall_scene(4000, 16);
   const std::vector<PlacedShape> shapes = closed_shapes(s);
   const PlacedShape& shape = shapes[static_cast<std::size_t>(random.below(9))];
   const double ior = random.chance(0.5) ? 1 : random.between(1.1, 2.5);

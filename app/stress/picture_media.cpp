@@ -12,22 +12,16 @@
 #include "app/stress/pictures.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;
-
-/// A wall behind z = -3 that emits 1 towards +z.
-Scene wall_scene() {
-  Scene s = dark_scene(16);
-  add(s, RectangleShape{{-20, -20, -3}, {40, 0, 0}, {0, 40, 0}}, light(dvec3(1)));
-  return s;
-}
 
 /// Along a chord of a ball or across a slab, from outside or from its middle.
 KnownPicture chord(Random& random, Precision) {
   KnownPicture known;
   Scene& s = known.scene;
-  s = wall_scene();
+  s = wall_scene(40, 16);
   const bool ball = random.chance(0.5), inside = random.chance(0.3);
   const double off = ball && !inside ? random.between(0, 0.95) : 0;
   const double length = (ball ? 2 * std::sqrt(1 - off * off) : 1.5) * (inside ? 0.5 : 1);
@@ -119,7 +113,7 @@ KnownPicture half_space(Random& random, Precision) {
 KnownPicture overlap(Random& random, Precision) {
   KnownPicture known;
   Scene& s = known.scene;
-  s = wall_scene();
+  s = wall_scene(40, 16);
   const double a = random.decade(-3, 0), b = random.decade(-3, 0), c = random.decade(-3, 0);
   add_medium(s, SphereShape{{0, 0, 0}, 1, {0, 0, 0}}, a, dvec3(0));
   add_medium(s, BoxShape{{-1, -1, -0.5}, {1, 1, 2}}, b, dvec3(0));

@@ -16,6 +16,7 @@
 #include "app/stress/random_room.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 constexpr int kSize = 48, kSeeds = 8;

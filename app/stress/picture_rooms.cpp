@@ -11,6 +11,7 @@
 #include "app/stress/pictures.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;

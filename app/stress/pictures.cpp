@@ -9,6 +9,7 @@
 #include "app/proof/measure.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 constexpr double kPrecision = 3e-4, kLargestDeviation = 1e-3;

@@ -6,6 +6,7 @@
 #include "app/stress/shapes.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using glm::dvec3;

@@ -13,6 +13,7 @@
 #include "app/stress/suite.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 using Points = std::vector<std::array<double, 2>>;
@@ -116,7 +117,7 @@ void add_dimensions(std::vector<Test>& tests) {
              std::vector<double> observed(kCells);
              for (const double x : a) observed[static_cast<std::size_t>(x * kCells)] += 1;
              const std::vector<double> expected(kCells, double{kCount} / kCells);
-             const statistics::ChiSquare r = statistics::chi_square(observed, expected);
+             const proof::ChiSquare r = proof::chi_square(observed, expected);
              const auto text = [&] {
                return describe(p, pair) + fmt::format(" sample {}", sample);
              };

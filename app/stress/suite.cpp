@@ -9,6 +9,7 @@
 #include "app/proof/chi_square.h"
 
 namespace lightbench::stress {
+using namespace proof;
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -23,7 +24,7 @@ bool wanted(const Test& test, const std::string& filter) {
 
 double limit_of(const Line& line, const Subject& subject, std::uint64_t trials) {
   if (line.significance > 0) {
-    return -std::log10(statistics::sidak(line.significance, std::max<std::uint64_t>(trials, 1)));
+    return -std::log10(proof::sidak(line.significance, std::max<std::uint64_t>(trials, 1)));
   }
   return subject.strict ? line.limit_double : line.limit_auto;
 }

@@ -8,6 +8,7 @@
 #include <random>
 
 namespace lightbench::statistics {
+using namespace proof;
 namespace {
 
 TEST(ChiSquare, PValuesAreThoseOfTheTables) {

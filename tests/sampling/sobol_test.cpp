@@ -129,7 +129,7 @@ TEST(Sobol, TwoDimensionsOfDifferentPairsFillTheirSquare) {
     }
   }
   const std::vector<double> expected(kCells * kCells, double{kPixels} * kSamples / kCells / kCells);
-  EXPECT_GT(statistics::chi_square(observed, expected).p_value, 0.001);
+  EXPECT_GT(proof::chi_square(observed, expected).p_value, 0.001);
 }
 
 TEST(Sobol, ScaledBitsAreTheExactProduct) {

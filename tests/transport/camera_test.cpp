@@ -10,6 +10,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 using glm::dvec3;

@@ -12,6 +12,7 @@
 #include "tests/transport/shape_patches.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 struct Known {

@@ -13,6 +13,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 constexpr int kSize = 40, kSpp = 24;

@@ -11,6 +11,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 class EmissiveRoom : public testing::TestWithParam<KernelUnderTest> {

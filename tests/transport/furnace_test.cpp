@@ -13,6 +13,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 class Furnace : public testing::TestWithParam<KernelUnderTest> {};

@@ -13,6 +13,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 using glm::dvec3;
@@ -27,17 +28,10 @@ class Glass : public testing::TestWithParam<KernelUnderTest> {
   Family family;
 };
 
-/// Emits 1 towards +z, from behind z = -3.
-Scene wall_scene() {
-  Scene s = dark_scene();
-  add(s, RectangleShape{{-200, -200, -3}, {400, 0, 0}, {0, 400, 0}}, light(dvec3(1)));
-  return s;
-}
-
 TEST_P(Glass, SlabTransmitsTheWholeSeries) {
   for (const double degrees : {0.0, 30.0, 56.31, 75.0, 85.0}) {
     const double angle = degrees * kPi / 180, f = fresnel(std::cos(angle), 1.5);
-    Scene s = wall_scene();
+    Scene s = wall_scene(400);
     add(s, BoxShape{{-100, -100, -0.5}, {100, 100, 0.5}}, glass(1.5));
     aim(s, dvec3(2 * std::tan(angle), 0, 2), dvec3(0));
     // T (1 + F^2 + F^4 + ...), T = (1 - F)^2.
@@ -49,7 +43,7 @@ TEST_P(Glass, SlabTransmitsTheWholeSeries) {
 TEST_P(Glass, OfIndexOneIsInvisible) {
   Scene shapes;
   for (const PlacedShape& placed : closed_shapes(shapes)) {
-    Scene s = wall_scene();
+    Scene s = wall_scene(400);
     s.meshes = shapes.meshes;
     s.render.roulette_depth = s.render.max_depth;
     add(s, placed.shape, glass(1), placed.transform);

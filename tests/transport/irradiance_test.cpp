@@ -14,6 +14,7 @@
 #include "tests/transport/shape_patches.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 using glm::dvec2;

@@ -12,6 +12,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 using glm::dvec3;
@@ -25,13 +26,6 @@ class Media : public testing::TestWithParam<KernelUnderTest> {
   }
   Family family;
 };
-
-/// Behind z = -3, a wall that emits 1 towards +z.
-Scene wall_scene() {
-  Scene s = dark_scene();
-  add(s, RectangleShape{{-20, -20, -3}, {40, 0, 0}, {0, 40, 0}}, light(dvec3(1)));
-  return s;
-}
 
 TEST_P(Media, PassExponentiallyThroughEveryBoundary) {
   const double sigma = 0.6;
@@ -52,7 +46,7 @@ TEST_P(Media, PassExponentiallyThroughEveryBoundary) {
     const double chord = (10 - leave->t - enter->t) * length;
     EXPECT_GT(chord, 0.3) << placed.name;
 
-    Scene s = wall_scene();
+    Scene s = wall_scene(40);
     s.meshes = shapes.meshes;
     add_medium(s, placed.shape, sigma, dvec3(0), placed.transform);
     aim(s, from, from + direction);
@@ -65,7 +59,7 @@ TEST_P(Media, PassExponentiallyThroughEveryBoundary) {
 }
 
 TEST_P(Media, OverlappingMediaMultiply) {
-  Scene s = wall_scene();
+  Scene s = wall_scene(40);
   add_medium(s, SphereShape{{0, 0, 0}, 1, {0, 0, 0}}, 0.2, dvec3(0));
   add_medium(s, BoxShape{{-1, -1, -0.5}, {1, 1, 2}}, 0.15, dvec3(0));
   add_medium(s, SphereShape{{0, 0, 0}, 100, {0, 0, 0}}, 0.02, dvec3(0));
@@ -76,7 +70,7 @@ TEST_P(Media, OverlappingMediaMultiply) {
 
 TEST_P(Media, ThinAndThickMedia) {
   for (const double sigma : {1e-3, 0.05, 4.0}) {
-    Scene s = wall_scene();
+    Scene s = wall_scene(40);
     add_medium(s, BoxShape{{-1, -1, -0.5}, {1, 1, 0.5}}, sigma, dvec3(0));
     aim(s, {0, 0, 5}, dvec3(0));
     check("density " + std::to_string(sigma), std::exp(-sigma), s, sigma > 1 ? 4096 : 1024);
@@ -173,7 +167,7 @@ TEST_P(Media, FillGlass) {
   // Straight through the centre: two Fresnel losses, absorption twice as long as the radius; the
   // light that turns round inside crosses again and again.
   const double sigma = 0.5;
-  Scene s = wall_scene();
+  Scene s = wall_scene(40);
   add(s, SphereShape{{0, 0, 0}, 1, {0, 0, 0}}, glass(1.5));
   add_medium(s, SphereShape{{0, 0, 0}, 1, {0, 0, 0}}, sigma, dvec3(0));
   aim(s, {0, 0, 5}, dvec3(0));

@@ -13,6 +13,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 constexpr std::size_t kBlocks = 10, kBlockSize = 30, kPixels = kBlocks * kBlockSize;

@@ -8,6 +8,7 @@
 #include "core/scene/transform.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 using glm::dvec2;

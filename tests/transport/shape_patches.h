@@ -11,10 +11,10 @@ namespace lightbench {
 
 std::vector<glm::dvec3> place_all(const Transform& t, std::vector<glm::dvec3> points);
 
-EmittingPatch sphere_patch(const SphereShape& s, const Transform& t);
-EmittingPatch disc_patch(const glm::dvec3& center, const glm::dvec3& normal, double radius,
-                         const Transform& t);
-std::vector<EmittingPatch> cylinder_patches(const CylinderShape& c, const Transform& t);
+proof::EmittingPatch sphere_patch(const SphereShape& s, const Transform& t);
+proof::EmittingPatch disc_patch(const glm::dvec3& center, const glm::dvec3& normal, double radius,
+                                const Transform& t);
+std::vector<proof::EmittingPatch> cylinder_patches(const CylinderShape& c, const Transform& t);
 
 /// Counter-clockwise from outside.
 std::vector<std::vector<glm::dvec3>> box_faces(const BoxShape& box, const Transform& t);

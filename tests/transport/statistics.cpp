@@ -9,6 +9,7 @@
 #include <numbers>
 
 namespace lightbench {
+using namespace proof;
 void Family::add(const std::string& name, double expected, double mean, double error,
                  double freedom) {
   // What rounding may explain is taken off before the rest is judged as chance.

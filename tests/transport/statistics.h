@@ -24,8 +24,8 @@ class Family {
   Family(double precision, double rounding, double dark = 0)
       : precision_(precision), rounding_(rounding), dark_(dark) {}
 
-  void add(const std::string& name, const glm::dvec3& expected, const Estimate& measured);
-  void add(const std::string& name, double expected, const Estimate& measured);
+  void add(const std::string& name, const glm::dvec3& expected, const proof::Estimate& measured);
+  void add(const std::string& name, double expected, const proof::Estimate& measured);
 
   /// Members beyond the limit, one line each.
   [[nodiscard]] std::vector<std::string> disagreements() const;

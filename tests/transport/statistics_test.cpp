@@ -13,6 +13,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 TEST(Statistics, LimitsAreTheTablesOnes) {
@@ -35,6 +36,8 @@ TEST(Statistics, StudentsTailsAreTheTablesOnes) {
   EXPECT_NEAR(student_tail(4.587, 10), 0.001, 1e-6);
   EXPECT_NEAR(student_tail(1.959964, 1e7), 0.05, 1e-6);
   EXPECT_EQ(student_tail(0, 5), 1);
+  EXPECT_NEAR(student_quantile(0.05, 1), 12.7062, 1e-4);
+  EXPECT_NEAR(student_quantile(0.05, 10), 2.228139, 1e-6);
 }
 
 TEST(Statistics, WelchsTestIsTheTextbooksOne) {

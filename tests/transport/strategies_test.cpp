@@ -17,6 +17,7 @@
 #include "tests/transport/measure.h"
 
 namespace lightbench {
+using namespace proof;
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 
+#include "app/proof/measure.h"
 #include "core/compile/render_scene.h"
 #include "core/scene/scene_io.h"
 
@@ -79,11 +80,8 @@ Scene valid(Scene s) {
 }
 
 std::uint64_t film_hash(const RenderScene& scene) {
-  Film film(scene.crop.width, scene.crop.height, scene.film_unit);
-  Counters counters;
-  render(scene, {0, 0, film.width(), film.height(), 0, 2, 1}, film.view(), counters);
-  EXPECT_EQ(counters.non_finite, 0U);
-  return film.hash() ^ static_cast<std::uint64_t>(scene.film_unit * 1048576);
+  return proof::render_film(scene, 2).hash() ^
+         static_cast<std::uint64_t>(scene.film_unit * 1048576);
 }
 
 struct Edit {

@@ -4,35 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "core/compile/render_scene.h"
-#include "core/scene/scene_io.h"
+#include "tests/unit/small_scenes.h"
 
 namespace lightbench {
 namespace {
-
-/// Scenes that together use every shape, material, texture, medium, lens and light.
-std::vector<std::pair<std::string, Scene>> small_scenes() {
-  const std::filesystem::path folder = std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "scenes";
-  std::vector<std::filesystem::path> files{folder / "cornell-three-lights.json",
-                                           folder / "cornell-smoke.json"};
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "features")) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::vector<std::pair<std::string, Scene>> scenes;
-  for (const auto& file : files) {
-    Scene scene = load_scene(file);
-    scene.render.height = 24;
-    scene.render.width = 32;
-    scene.render.crop = {};
-    scene.render.seed = 5;
-    scenes.emplace_back(file.stem().string(), std::move(scene));
-  }
-  EXPECT_GT(scenes.size(), 10U);
-  return scenes;
-}
 
 Film film_of(const RenderScene& scene, std::uint32_t samples, Counters* counters = nullptr) {
   Film film(scene.crop.width, scene.crop.height, scene.film_unit);
@@ -45,7 +23,7 @@ Film film_of(const RenderScene& scene, std::uint32_t samples, Counters* counters
 /// The kernels of one precision against its plain one.
 void expect_same_bits(KernelKind plain) {
   int compared = 0;
-  for (const auto& [name, scene] : small_scenes()) {
+  for (const auto& [name, scene] : small_scenes(32, 24)) {
     Counters scalar_count;
     const std::uint64_t scalar = film_of(*compile(scene, plain), 3, &scalar_count).hash();
     EXPECT_EQ(scalar_count.paths, 32U * 24 * 3) << name;
@@ -74,7 +52,7 @@ TEST(Kernel, DoubleKernelsAgreeToTheLastBit) { expect_same_bits(KernelKind::Refe
 // path whose choice hangs on rounding (an edge, a Fresnel or roulette number, a free flight) goes
 // another way, so some pixels differ as pixels do from one sample to the next.
 TEST(Kernel, TheReferenceShowsTheSamePicture) {
-  for (const auto& [name, scene] : small_scenes()) {
+  for (const auto& [name, scene] : small_scenes(32, 24)) {
     constexpr std::uint32_t kSamples = 4;
     const Image a = film_of(*compile(scene, KernelKind::Scalar), kSamples).mean(kSamples);
     const Image b = film_of(*compile(scene, KernelKind::Reference), kSamples).mean(kSamples);
@@ -93,7 +71,7 @@ TEST(Kernel, TheReferenceShowsTheSamePicture) {
 }
 
 TEST(Kernel, WorkMayBeDividedInAnyWay) {
-  for (const auto& [name, scene] : small_scenes()) {
+  for (const auto& [name, scene] : small_scenes(32, 24)) {
     const auto compiled = compile(scene, KernelKind::Auto);
     const std::uint64_t whole = film_of(*compiled, 4).hash();
     Film film(32, 24, compiled->film_unit);
@@ -113,7 +91,7 @@ TEST(Kernel, WorkMayBeDividedInAnyWay) {
 }
 
 TEST(Kernel, ACropIsAWindowOfTheWholeCamera) {
-  Scene scene = small_scenes()[0].second;
+  Scene scene = small_scenes(32, 24)[0].second;
   scene.render.width = 64;
   scene.render.height = 48;
   const Image whole = film_of(*compile(scene, KernelKind::Auto), 64).mean(64);
@@ -137,7 +115,7 @@ TEST(Kernel, ACropIsAWindowOfTheWholeCamera) {
 }
 
 TEST(Kernel, SeedsGiveOtherSamplesOfTheSamePicture) {
-  Scene scene = small_scenes()[0].second;
+  Scene scene = small_scenes(32, 24)[0].second;
   const Film a = film_of(*compile(scene, KernelKind::Auto), 4);
   scene.render.seed += 1;
   const Film b = film_of(*compile(scene, KernelKind::Auto), 4);

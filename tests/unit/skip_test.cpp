@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <functional>
 
+#include "app/proof/measure.h"
 #include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
-#include "core/scene/scene_io.h"
+#include "tests/unit/small_scenes.h"
 
 namespace lightbench {
 namespace {
@@ -47,32 +47,13 @@ Scene crowd() {
 }
 
 std::vector<std::pair<std::string, Scene>> stored_scenes() {
-  const std::filesystem::path folder = std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "scenes";
-  std::vector<std::filesystem::path> files{folder / "cornell-three-lights.json",
-                                           folder / "cornell-smoke.json"};
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "features")) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::vector<std::pair<std::string, Scene>> scenes;
-  for (const auto& file : files) {
-    Scene scene = load_scene(file);
-    scene.render.width = 24;
-    scene.render.height = 16;
-    scene.render.crop = {};
-    scenes.emplace_back(file.stem().string(), std::move(scene));
-  }
+  auto scenes = small_scenes(24, 16);
   scenes.emplace_back("metal and glass", crowd());
   scenes.back().second.materials[0].kind = MaterialKind::Metal;
   return scenes;
 }
 
-std::uint64_t film_hash(const RenderScene& scene) {
-  Film film(scene.crop.width, scene.crop.height, scene.film_unit);
-  Counters counters;
-  render(scene, {0, 0, film.width(), film.height(), 0, 3, 1}, film.view(), counters);
-  EXPECT_EQ(counters.non_finite, 0U);
-  return film.hash();
-}
+std::uint64_t film_hash(const RenderScene& scene) { return proof::render_film(scene, 3).hash(); }
 
 /// A copy of a compiled scene whose view `change` has altered.
 template <class Change>
