@@ -239,17 +239,16 @@ std::shared_ptr<const RenderScene> compile_for(const Scene& scene, KernelKind ke
 
 std::shared_ptr<const RenderScene> compile(const Scene& scene, KernelKind kernel,
                                            const RenderScene* previous, Change change) {
-  std::shared_ptr<const SceneReach> reach;
-  if (previous != nullptr && previous->parts != nullptr &&
-      reach_stands(*previous->parts->reach, scene, change)) {
-    reach = previous->parts->reach;
-  } else {
-    reach = std::make_shared<const SceneReach>(measure_reach(scene));
-  }
+  const SceneReach* known =
+      previous != nullptr && previous->parts != nullptr ? previous->parts->reach.get() : nullptr;
+  const std::shared_ptr<const SceneReach> reach =
+      known != nullptr && reach_stands(*known, scene, change)
+          ? previous->parts->reach
+          : std::make_shared<const SceneReach>(measure_reach(scene, known));
   if (kernel == KernelKind::Auto) kernel = best_kernel(needed_precision(*reach, scene.camera));
   return precision_of(kernel) == Precision::Double
-             ? compile_for<double>(scene, kernel, std::move(reach), previous, change)
-             : compile_for<float>(scene, kernel, std::move(reach), previous, change);
+             ? compile_for<double>(scene, kernel, reach, previous, change)
+             : compile_for<float>(scene, kernel, reach, previous, change);
 }
 
 }  // namespace lightbench

@@ -9,6 +9,7 @@
 #include <limits>
 #include <variant>
 
+#include "core/compile/mesh_pieces.h"
 #include "core/compile/surface_gaps.h"
 
 namespace lightbench {
@@ -29,7 +30,7 @@ double altitude(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 
 /// The smallest length that makes up a shape, in object space.
 struct SmallestFeature {
-  const std::vector<Bounds>& meshes;
+  const decltype(SceneReach::pieces)& pieces;
 
   double operator()(const SphereShape& s) const { return s.radius; }
   double operator()(const CylinderShape& s) const {
@@ -53,12 +54,27 @@ struct SmallestFeature {
   }
   double operator()(const BoxShape& s) const { return smallest_component(s.max - s.min); }
   double operator()(const MeshShape& s) const {
-    const Bounds& b = meshes[static_cast<std::size_t>(s.mesh)];
-    const double size = b.empty() ? 0 : largest_component(b.size());
-    // A mesh of one point, or of none, shows nothing that precision could keep.
-    return size > 0 ? size : std::numeric_limits<double>::infinity();
+    return pieces[static_cast<std::size_t>(s.mesh)].second;
   }
 };
+
+decltype(SceneReach::pieces) pieces_of(const Scene& scene, const SceneReach* previous) {
+  decltype(SceneReach::pieces) pieces;
+  for (const MeshAsset& asset : scene.meshes) {
+    const auto same = [&](const auto& known) { return known.first == asset.data; };
+    if (previous != nullptr) {
+      const auto known = std::find_if(previous->pieces.begin(), previous->pieces.end(), same);
+      if (known != previous->pieces.end()) {
+        pieces.push_back(*known);
+        continue;
+      }
+    }
+    // A mesh of one point, or of none, shows nothing that precision could keep.
+    pieces.emplace_back(asset.data, asset.data == nullptr ? std::numeric_limits<double>::infinity()
+                                                          : smallest_piece(*asset.data));
+  }
+  return pieces;
+}
 
 }  // namespace
 
@@ -73,8 +89,9 @@ std::vector<std::uint8_t> object_roles(const Scene& scene) {
   return roles;
 }
 
-SceneReach measure_reach(const Scene& scene) {
+SceneReach measure_reach(const Scene& scene, const SceneReach* previous) {
   SceneReach reach;
+  reach.pieces = pieces_of(scene, previous);
   reach.shutter_open = scene.camera.shutter_open;
   reach.shutter_close = scene.camera.shutter_close;
   reach.roles = object_roles(scene);
@@ -88,7 +105,7 @@ SceneReach measure_reach(const Scene& scene) {
     if ((reach.roles[i] & 1) != 0) {
       surfaces.push_back(object_bounds(object, scene.camera, meshes));
     }
-    const double feature = std::visit(SmallestFeature{meshes}, object.shape) *
+    const double feature = std::visit(SmallestFeature{reach.pieces}, object.shape) *
                            smallest_component(glm::abs(object.transform.scale));
     if (feature < reach.smallest) {
       reach.smallest = feature;

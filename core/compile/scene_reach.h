@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/compile/render_scene.h"
@@ -30,19 +31,23 @@ struct SceneReach {
   std::vector<std::uint8_t> roles;             ///< of each object, see object_roles()
   double farthest = 0;                         ///< largest coordinate of a surface, from the center
   /// The smallest radius, height, thickness or altitude of any object; infinite without objects. Of
-  /// a mesh its longest side: triangles live in a space of their own and share their vertices.
+  /// a mesh the longest side of its smallest piece (mesh_pieces.h): triangles of one piece share
+  /// their vertices, which a step of float moves together.
   double smallest = 0;
   std::string smallest_object;  ///< its name
   /// The smallest gap between surfaces that lie over each other (surface_gaps.h), if float could
   /// lose it to some eye; else infinite.
   double gap = std::numeric_limits<double>::infinity();
   std::array<std::string, 2> gap_between;
+  /// smallest_piece() of the scene's meshes; not asked again while a mesh is the same.
+  std::vector<std::pair<std::shared_ptr<const Mesh>, double>> pieces;
 };
 
 /// What each object is to the geometry: bit 0 surface, bit 1 boundary of a medium.
 std::vector<std::uint8_t> object_roles(const Scene& scene);
 
-SceneReach measure_reach(const Scene& scene);
+/// What `previous` knows of meshes that are still there is taken over.
+SceneReach measure_reach(const Scene& scene, const SceneReach* previous = nullptr);
 
 /// The farthest surface or camera position over the smallest feature; 1 without objects.
 double range_of(const SceneReach& reach, const Camera& camera);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <variant>
 #include <vector>
 
+#include "core/compile/mesh_copies.h"
 #include "core/scene/bounds.h"
 #include "core/scene/transform.h"
 
@@ -17,10 +19,6 @@ namespace {
 
 using glm::dot;
 using glm::dvec3;
-
-/// A direction that nothing in a scene is likely to follow: along it neighbours are few, and across
-/// it is no face.
-const dvec3 kAside(1, 0.7548776662466927, 0.5698402909980532);
 
 /// A sphere when the shutter opens, and its motion until it closes; or the side of a cylinder: its
 /// axis from `center` along `along`.
@@ -64,7 +62,8 @@ struct Collect {
   std::size_t object;
   glm::dmat4 map;
   double scale;  ///< 0 if it is not the same in all directions
-  const Camera& shutter;
+  const Scene& scene;
+  bool few_triangles;
 
   [[nodiscard]] dvec3 point(const dvec3& p) const { return dvec3(map * glm::dvec4(p, 1)); }
   [[nodiscard]] dvec3 vector(const dvec3& v) const { return dvec3(map * glm::dvec4(v, 0)); }
@@ -84,8 +83,8 @@ struct Collect {
 
   void operator()(const SphereShape& s) const {
     if (scale == 0) return;
-    const dvec3 opened = s.center + shutter.shutter_open * s.motion;
-    const dvec3 motion = (shutter.shutter_close - shutter.shutter_open) * s.motion;
+    const dvec3 opened = s.center + scene.camera.shutter_open * s.motion;
+    const dvec3 motion = (scene.camera.shutter_close - scene.camera.shutter_open) * s.motion;
     surfaces.rounds.push_back({object, point(opened), vector(motion), scale * s.radius, false});
   }
   void operator()(const CylinderShape& s) const {
@@ -108,18 +107,37 @@ struct Collect {
     for (const dvec3& corner : {s.min, s.min + y}) parallelogram(corner, z, x);
     for (const dvec3& corner : {s.min, s.min + z}) parallelogram(corner, x, y);
   }
-  void operator()(const MeshShape&) const {}
+  void operator()(const MeshShape& s) const {
+    if (!few_triangles) return;
+    const auto& mesh = scene.meshes[static_cast<std::size_t>(s.mesh)].data;
+    if (mesh == nullptr) return;
+    for (const auto& t : mesh->triangles) {
+      triangle(mesh->positions[t[0]], mesh->positions[t[1]], mesh->positions[t[2]]);
+    }
+  }
 };
+
+bool has_few_triangles(const Scene& scene, std::span<const std::uint8_t> roles) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto* s = std::get_if<MeshShape>(&scene.objects[i].shape);
+    if (roles[i] == 0 || s == nullptr) continue;
+    const auto& mesh = scene.meshes[static_cast<std::size_t>(s->mesh)].data;
+    count += mesh == nullptr ? 0 : mesh->triangles.size();
+  }
+  return count <= kFewTriangles;
+}
 
 Surfaces collect(const Scene& scene, std::span<const std::uint8_t> roles, const dvec3& center) {
   Surfaces surfaces;
   surfaces.center = center;
+  const bool few_triangles = has_few_triangles(scene, roles);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (roles[i] == 0) continue;
     const dvec3 s = glm::abs(object.transform.scale);
     const double scale = s.x == s.y && s.y == s.z ? s.x : 0;
-    std::visit(Collect{surfaces, i, object_to_world(object.transform), scale, scene.camera},
+    std::visit(Collect{surfaces, i, object_to_world(object.transform), scale, scene, few_triangles},
                object.shape);
   }
   return surfaces;
@@ -143,16 +161,12 @@ double gap_of(const Round& a, const Round& b) {
                  : std::numeric_limits<double>::infinity();
 }
 
-/// Of faces whose boxes overlap in two axes at least by more than `limit`.
+/// Of faces whose boxes overlap in two axes at least by more than that.
 double gap_of(const Face& a, const Face& b, double limit) {
-  int wide = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double overlap =
-        std::min(a.bounds.max[k], b.bounds.max[k]) - std::max(a.bounds.min[k], b.bounds.min[k]);
-    if (overlap < -limit) return std::numeric_limits<double>::infinity();
-    wide += overlap > limit ? 1 : 0;
+  const dvec3 overlap = glm::min(a.bounds.max, b.bounds.max) - glm::max(a.bounds.min, b.bounds.min);
+  if (std::min({overlap.x, overlap.y, overlap.z}) < -limit) {
+    return std::numeric_limits<double>::infinity();
   }
-  if (wide < 2) return std::numeric_limits<double>::infinity();
   const auto farthest_corner = [](const Face& plane, const Face& face) {
     double far = 0;
     for (const dvec3& c : face.corners) {
@@ -160,7 +174,10 @@ double gap_of(const Face& a, const Face& b, double limit) {
     }
     return far;
   };
-  return std::min(farthest_corner(a, b), farthest_corner(b, a));
+  const double gap = std::min(farthest_corner(a, b), farthest_corner(b, a));
+  const int wide =
+      (overlap.x > gap ? 1 : 0) + (overlap.y > gap ? 1 : 0) + (overlap.z > gap ? 1 : 0);
+  return wide < 2 ? std::numeric_limits<double>::infinity() : gap;
 }
 
 }  // namespace
@@ -206,6 +223,8 @@ SurfaceGap smallest_gap(const Scene& scene, std::span<const std::uint8_t> roles,
       keep(gap_of(faces[i], *k, found.gap), faces[i].object, k->object);
     }
   }
+  const SurfaceGap copies = smallest_copy_gap(scene, roles, center, contact, found.gap);
+  if (copies.gap < found.gap) return copies;
   return found.gap < limit ? found : SurfaceGap();
 }
 

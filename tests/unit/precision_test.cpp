@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "core/compile/render_scene.h"
@@ -129,6 +130,9 @@ TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
       {"decal", box(0, 1), plate(1 + 1e-8), Precision::Double},
       {"decal upside down", plate(-1e-8), box(0, 1), Precision::Double},
       {"decal well above", box(0, 1), plate(1.001), Precision::Float},
+      {"small decal", box(0, 1),
+       RectangleShape{.corner = {0, 1 + 1e-8, 0}, .edge_u = {0.02, 0, 0}, .edge_v = {0, 0, -0.02}},
+       Precision::Double},
       {"plate on a box", box(0, 1), plate(1), Precision::Float},
       {"plate rounded onto a box", box(0, 1), plate(1 + 4e-16), Precision::Float},
       {"box beside", box(0, 1), BoxShape{.min = {1, 1 + 1e-8, -1}, .max = {2, 2, 1}},
@@ -151,6 +155,181 @@ TEST(Precision, GapsThatFloatWouldLoseAskForDouble) {
        PyramidShape{.vertices = {dvec3{-1, 1e-8, -1}, {1, 1e-8, -1}, {0, 1e-8, 1}, {0, 1, 0}}},
        Precision::Double}};
   for (const Case& c : cases) EXPECT_EQ(precision_with(c.a, c.b), c.expected) << c.what;
+}
+
+/// A ball of 2 n^2 triangles around 0; every corner with an index of its own for each triangle that
+/// it belongs to if `split`.
+Mesh ball_mesh(double radius, unsigned n, bool split = false) {
+  Mesh mesh;
+  for (unsigned i = 0; i <= n; ++i) {
+    for (unsigned k = 0; k < n; ++k) {
+      const double polar = std::numbers::pi * i / n, azimuth = 2 * std::numbers::pi * k / n;
+      mesh.positions.push_back(radius * dvec3(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                              std::sin(polar) * std::sin(azimuth)));
+    }
+  }
+  for (unsigned i = 0; i < n; ++i) {
+    for (unsigned k = 0; k < n; ++k) {
+      const unsigned a = i * n + k, b = i * n + (k + 1) % n, c = a + n, d = b + n;
+      mesh.triangles.push_back({a, b, d});
+      mesh.triangles.push_back({a, d, c});
+    }
+  }
+  if (!split) return mesh;
+  Mesh corners;
+  for (auto t : mesh.triangles) {
+    for (std::uint32_t& corner : t) {
+      corners.positions.push_back(mesh.positions[corner]);
+      corner = static_cast<std::uint32_t>(corners.positions.size()) - 1;
+    }
+    corners.triangles.push_back(t);
+  }
+  return corners;
+}
+
+Object& add_mesh(Scene& scene, const Mesh& mesh) {
+  MeshAsset asset;
+  asset.data = std::make_shared<const Mesh>(mesh);
+  scene.meshes.push_back(asset);
+  Object object;
+  object.name = "mesh " + std::to_string(scene.meshes.size());
+  object.shape = MeshShape{static_cast<int>(scene.meshes.size()) - 1};
+  object.material = 0;
+  return scene.objects.emplace_back(object);
+}
+
+Precision precision_of_scene(const Scene& scene) {
+  return precision_of(compile(scene, KernelKind::Auto)->kernel);
+}
+
+// Small parts of a model that hang on nothing are objects of their own to a camera.
+TEST(Precision, TheSmallestPieceOfAMeshIsItsFeature) {
+  for (const bool split : {false, true}) {
+    Scene scene = spheres({});
+    add_mesh(scene, ball_mesh(1, 30, split));
+    EXPECT_DOUBLE_EQ(measure_reach(scene).smallest, 2) << "corners alike are one";
+    EXPECT_EQ(precision_of_scene(scene), Precision::Float);
+    Mesh both = *scene.meshes[0].data;
+    const Mesh crumb = ball_mesh(1e-5, 6, split);
+    const auto first = static_cast<std::uint32_t>(both.positions.size());
+    for (const dvec3& p : crumb.positions) both.positions.push_back(p + dvec3(3, 0, 0));
+    for (auto t : crumb.triangles) {
+      for (std::uint32_t& corner : t) corner += first;
+      both.triangles.push_back(t);
+    }
+    Scene with_crumb = spheres({});
+    add_mesh(with_crumb, both).transform.scale = dvec3(1, 0.5, 1);
+    EXPECT_NEAR(measure_reach(with_crumb).smallest, 1e-5, 1e-14);
+    EXPECT_EQ(precision_of_scene(with_crumb), Precision::Double);
+  }
+  // A triangle without area, and corners of no triangle.
+  Scene point = spheres({});
+  add_mesh(point, {{{0, 0, 0}, {5, 0, 0}}, {}, {}, {{0, 0, 0}}});
+  EXPECT_EQ(measure_reach(point).smallest, std::numeric_limits<double>::infinity());
+}
+
+TEST(Precision, WhatIsKnownOfAMeshIsNotAskedAgain) {
+  Scene scene = spheres({});
+  add_mesh(scene, ball_mesh(1, 8));
+  SceneReach known = measure_reach(scene);
+  known.pieces[0].second = 0.125;
+  EXPECT_EQ(measure_reach(scene, &known).smallest, 0.125);
+  scene.meshes[0].data = std::make_shared<const Mesh>(ball_mesh(1, 8));
+  EXPECT_DOUBLE_EQ(measure_reach(scene, &known).smallest, 2);
+}
+
+TEST(Precision, GapsBetweenMeshesAskForDouble) {
+  const auto balls = [](double scale, unsigned n, const Mesh* second = nullptr) {
+    Scene scene = spheres({});
+    add_mesh(scene, ball_mesh(1, n));
+    Object copy = scene.objects[0];
+    copy.transform.scale = dvec3(scale);
+    copy.transform.translation = {0, scale - 1, 0};
+    if (second != nullptr) copy.shape = add_mesh(scene, *second).shape;
+    scene.objects.resize(1);
+    scene.objects.push_back(copy);
+    return scene;
+  };
+  for (const unsigned n : {10U, 60U}) {  // few triangles, and more than are looked at one by one
+    EXPECT_EQ(precision_of_scene(balls(1 + 1e-7, n)), Precision::Double) << n;
+    EXPECT_NEAR(measure_reach(balls(1 + 1e-7, n)).gap, 2e-7, n < 20 ? 2e-7 : 1e-9) << n;
+    EXPECT_EQ(precision_of_scene(balls(1, n)), Precision::Float) << n;
+    EXPECT_EQ(precision_of_scene(balls(1.001, n)), Precision::Float) << n;
+    const Mesh moved = ball_mesh(1 + 1e-8, n), other = ball_mesh(1 + 1e-8, n + 1);
+    EXPECT_EQ(precision_of_scene(balls(1, n, &moved)), Precision::Double) << n;
+    EXPECT_EQ(precision_of_scene(balls(1, n, &other)), Precision::Float) << n;
+  }
+  const auto crate_and = [](const Shape& shape) {
+    Scene scene = spheres({});
+    Mesh crate;
+    for (unsigned i = 0; i < 8; ++i) {
+      crate.positions.emplace_back((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1,
+                                   (i & 4U) != 0 ? 1 : -1);
+    }
+    crate.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                       {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+    add_mesh(scene, crate);
+    Object object;
+    object.shape = shape;
+    object.material = 0;
+    scene.objects.push_back(object);
+    return precision_of_scene(scene);
+  };
+  const auto plate = [](double y) {
+    return RectangleShape{.corner = {-0.5, y, 0.3}, .edge_u = {0.9, 0, 0}, .edge_v = {0, 0, -0.8}};
+  };
+  EXPECT_EQ(crate_and(plate(1 + 1e-8)), Precision::Double);
+  EXPECT_EQ(crate_and(plate(-1 - 1e-8)), Precision::Double);
+  EXPECT_EQ(crate_and(plate(1)), Precision::Float);
+  EXPECT_EQ(crate_and(plate(1.01)), Precision::Float);
+  // A sheet of many small triangles.
+  for (const unsigned n : {30U, 33U}) {
+    Mesh sheet;
+    for (unsigned i = 0; i <= n; ++i) {
+      for (unsigned k = 0; k <= n; ++k)
+        sheet.positions.emplace_back(2.0 * i / n - 1, 1, 2.0 * k / n - 1);
+    }
+    for (unsigned i = 0; i < n; ++i) {
+      for (unsigned k = 0; k < n; ++k) {
+        const unsigned a = i * (n + 1) + k, b = a + n + 1;
+        sheet.triangles.push_back({a, a + 1, b + 1});
+        sheet.triangles.push_back({a, b + 1, b});
+      }
+    }
+    Scene scene = spheres({});
+    add_mesh(scene, sheet);
+    Object object;
+    object.shape = plate(1 + 1e-7);
+    object.material = 0;
+    scene.objects.push_back(object);
+    // 2 n^2 are too many to be looked at from n = 33 on.
+    EXPECT_EQ(precision_of_scene(scene), n < 32 ? Precision::Double : Precision::Float) << n;
+  }
+}
+
+// The outer of two copies is in front, whichever float would find.
+TEST(Precision, TheOuterOfTwoCopiesIsInFront) {
+  Scene scene = spheres({});
+  add_mesh(scene, ball_mesh(1, 60));
+  Object lacquer = scene.objects[0];
+  lacquer.transform.scale = dvec3(1 + 1e-7);
+  scene.objects.push_back(lacquer);
+  const auto wrong = [&](KernelKind kernel) {
+    const auto compiled = compile(scene, kernel);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    int count = 0;
+    for (int k = 0; k < 20000; ++k) {
+      Ray ray;
+      ray.origin = 5.0 * glm::normalize(dvec3(uniform(random), uniform(random), uniform(random)));
+      ray.direction = 0.5 * dvec3(uniform(random), uniform(random), uniform(random)) - ray.origin;
+      const auto hit = trace(*compiled, ray);
+      count += hit && hit->object != 1 ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(wrong(KernelKind::Auto), 0);
+  EXPECT_GT(wrong(best_kernel(Precision::Float)), 1000) << "float could do it";
 }
 
 // From afar float loses wider gaps.
