@@ -91,8 +91,10 @@ double cap_share(const RenderScene& scene, const glm::dvec3& from, const glm::dv
   constexpr int kParts = 64;
   double low = 0, high = 1;  // the change is between them
   for (int level = 0; level < 5; ++level) {
-    std::vector<std::array<double, 2>> numbers;
-    for (int i = 0; i < kParts; ++i) numbers.push_back({low + (high - low) * i / kParts, 0.5});
+    std::array<std::array<double, 2>, kParts> numbers;
+    for (int i = 0; i < kParts; ++i) {
+      numbers[static_cast<std::size_t>(i)] = {low + (high - low) * i / kParts, 0.5};
+    }
     const std::vector<LightPoint> points = samples_at(scene, from, numbers);
     const auto on_side = std::find_if(points.begin(), points.end(), [&](const LightPoint& p) {
       return std::abs(glm::dot(p.normal, n)) < 0.999;
