@@ -27,6 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool wait_until(double seconds, const std::function<bool()>& done) {
+#ifdef __SANITIZE_ADDRESS__
+  seconds *= 5;  // watched, a pass takes seconds
+#endif
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (!done()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
@@ -250,6 +253,7 @@ TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
 TEST_F(Window, AnySizeAndOutOfSight) {
   const nlohmann::json camera = widgets_with("Camera");
   ASSERT_NO_FATAL_FAILURE(open_viewer());
+  ASSERT_TRUE(orbit(camera));  // what it was told before it listens would be lost
   const auto resize = [&](const std::string& size) {
     xdotool("windowsize " + window_ + " " + size);
   };
