@@ -67,27 +67,20 @@ template <bool kShadow>
 /// choice of the nearest, which goes by what the tests gave: so it costs once per ray, not once per
 /// test.
 inline void refine_hits(const SceneView<T>& scene, const Ray& ray, NearestHit& hit) {
-  const auto of_kind = [&](PrimitiveKind kind) {
-    const auto k = static_cast<unsigned>(kind);
-    return hit.primitive >= Int(scene.kind_begin[k]) &&
-           hit.primitive < Int(scene.kind_begin[k + 1]);
-  };
-  const Mask meshes = of_kind(PrimitiveKind::Mesh);
-  const Mask triangles = meshes || of_kind(PrimitiveKind::Triangle);
-  if (none(triangles)) return;
-  for_each_distinct(hit.primitive, triangles, [&](std::uint32_t i, Mask m) {
-    const Row row{scene.rows + scene.row[i]};
-    TriangleHit h{hit.t, hit.b1, hit.b2, m};
-    if (static_cast<PrimitiveKind>(scene.kind[i]) == PrimitiveKind::Mesh) {
-      const Affine to_local = mesh_at(row).to_local;
-      h = refine_triangle(fetch_triangle(mesh_of(scene, i), hit.slot, m).vertices,
-                          to_local.point(ray.o), to_local.vector(ray.d), h);
-    } else {
-      h = refine_triangle(triangle_at(row), ray.o, ray.d, h);
+  for_each_kind(scene, hit.primitive, Mask(true), [&]<PrimitiveKind kKind>(Mask m) {
+    if constexpr (kKind == PrimitiveKind::Triangle || kKind == PrimitiveKind::Mesh) {
+      const auto shape = shape_at<kKind>(rows_of<kKind>(scene, hit.primitive, m), ray.time);
+      TriangleHit h{hit.t, hit.b1, hit.b2, m};
+      if constexpr (kKind == PrimitiveKind::Mesh) {
+        h = refine_triangle(fetch_triangles(scene, hit.primitive, hit.slot, m).vertices,
+                            shape.to_local.point(ray.o), shape.to_local.vector(ray.d), h);
+      } else {
+        h = refine_triangle(shape, ray.o, ray.d, h);
+      }
+      hit.t = select(m, h.t, hit.t);
+      hit.b1 = select(m, h.b1, hit.b1);
+      hit.b2 = select(m, h.b2, hit.b2);
     }
-    hit.t = select(m, h.t, hit.t);
-    hit.b1 = select(m, h.b1, hit.b1);
-    hit.b2 = select(m, h.b2, hit.b2);
   });
 }
 

@@ -2,37 +2,22 @@
 // Rays against analytic primitives: one primitive in all lanes at once, and a tiny scene's all.
 
 #include "core/accel/nearest_hit.h"
-#include "core/shapes/box.h"
-#include "core/shapes/cylinder.h"
-#include "core/shapes/disc.h"
-#include "core/shapes/pyramid.h"
-#include "core/shapes/rectangle.h"
-#include "core/shapes/sphere.h"
-#include "core/shapes/triangle.h"
+#include "core/shapes/any_shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-constexpr bool is_planar(PrimitiveKind kind) {
-  return kind == PrimitiveKind::Disc || kind == PrimitiveKind::Rectangle ||
-         kind == PrimitiveKind::Triangle;
-}
 
 /// Interval of solid primitive i of the given kind.
 template <PrimitiveKind kKind>
 Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
-  const Row row{scene.rows + scene.row[i]};
+  const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
   if constexpr (kKind == PrimitiveKind::Sphere)
-    return hit_sphere(sphere_at(row, ray.time), ray, scene.hit_quality).span;
-  if constexpr (kKind == PrimitiveKind::Ellipsoid) {
-    return hit_ellipsoid(ellipsoid_at(row, ray.time), ray).span;
-  }
+    return hit_sphere(shape, ray, scene.hit_quality).span;
+  if constexpr (kKind == PrimitiveKind::Ellipsoid) return hit_ellipsoid(shape, ray).span;
   if constexpr (kKind == PrimitiveKind::Cylinder)
-    return hit_cylinder(cylinder_at(row), ray, scene.hit_quality);
-  if constexpr (kKind == PrimitiveKind::EllipticCylinder) {
-    return hit_elliptic_cylinder(elliptic_cylinder_at(row), ray);
-  }
-  if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(pyramid_at(row), ray);
-  if constexpr (kKind == PrimitiveKind::Box) return hit_box(box_at(row), ray);
+    return hit_cylinder(shape, ray, scene.hit_quality);
+  if constexpr (kKind == PrimitiveKind::EllipticCylinder) return hit_elliptic_cylinder(shape, ray);
+  if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(shape, ray);
+  if constexpr (kKind == PrimitiveKind::Box) return hit_box(shape, ray);
 }
 
 /// Calls f.operator()<kind>() for the kind of primitive i, which is not a mesh.

@@ -38,21 +38,17 @@ struct Vertex {
 /// Surface and material of the hits, with textures.
 inline void find_surface(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
                          Mask active, Vertex& v) {
-  v.surface.p = v.surface.ng = v.surface.ns = v.object_point = Vec(Real(0));
-  v.material = black_material();
-  v.offset = Real(0);
-  for_each_distinct(hit.primitive, active, [&](std::uint32_t i, Mask m) {
-    const Row material{scene.materials + std::size_t{scene.material[i]} * kMaterialStride};
-    const Coordinates uv =
-        scene.needs_uv && is_textured(material) ? Coordinates::Wanted : Coordinates::None;
-    merge(m, surface_of(scene, i, ray, hit, m, uv), v.surface);
-    merge(m, material_at(material), v.material);
-    v.offset = select(m, Real(scene.offset[i]), v.offset);
-    if (scene.to_object != nullptr) {
-      const Affine to_object = affine_at({scene.to_object + std::size_t{12} * i}, 0);
+  const Int primitive = select(active, hit.primitive, Int(0U));
+  v.material = materials_of(scene, gather(scene.material, primitive), active);
+  v.offset = select(active, gather(scene.offset, primitive), Real(0));
+  v.surface = surface_of(scene, ray, hit, active, Mask(scene.needs_uv) && is_textured(v.material));
+  v.object_point = Vec(Real(0));
+  if (scene.to_object != nullptr) {
+    for_each_distinct(primitive, active, [&](std::uint32_t i, Mask m) {
+      const Affine to_object = affine_at(Row{scene.to_object + std::size_t{12} * i}, 0);
       v.object_point = select(m, to_object.point(v.surface.p), v.object_point);
-    }
-  });
+    });
+  }
   const auto apply = [&](Int texture, Vec& color) {
     const Mask textured = active && texture != Int(kNoTexture);
     if (none(textured)) return;
@@ -82,14 +78,18 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
   if (scene.has_emission_textures) {
     NearestHit hit{s.distance, place.primitive, place.slot, Real(0), Real(0)};
     // Triangles take their uv from barycentrics, which the test itself gives.
-    for_each_distinct(place.primitive, s.valid, [&](std::uint32_t i, Mask m) {
-      const auto kind = static_cast<PrimitiveKind>(scene.kind[i]);
-      if (kind != PrimitiveKind::Triangle && kind != PrimitiveKind::Mesh) return;
-      const Triangle t = kind == PrimitiveKind::Mesh ? mesh_light(scene, i, place.slot, m).triangle
-                                                     : triangle_at({scene.rows + scene.row[i]});
-      const TriangleHit h = hit_triangle(t, shadow);
-      hit.b1 = select(m, h.b1, hit.b1);
-      hit.b2 = select(m, h.b2, hit.b2);
+    for_each_kind(scene, place.primitive, s.valid, [&]<PrimitiveKind kKind>(Mask m) {
+      if constexpr (kKind == PrimitiveKind::Triangle || kKind == PrimitiveKind::Mesh) {
+        Triangle t;
+        if constexpr (kKind == PrimitiveKind::Mesh) {
+          t = mesh_light(scene, place, m).triangle;
+        } else {
+          t = triangle_at(rows_of<kKind>(scene, place.primitive, m));
+        }
+        const TriangleHit h = hit_triangle(t, shadow);
+        hit.b1 = select(m, h.b1, hit.b1);
+        hit.b2 = select(m, h.b2, hit.b2);
+      }
     });
     Vertex v;
     find_surface(scene, shadow, hit, s.valid, v);

@@ -92,6 +92,31 @@ void for_each_distinct(Int id, Mask active, F f) {
   }
 }
 
+/// A row of each lane's own: the rows of up to kLanes table entries, merged. Shapes and materials
+/// read it as they read a Row. Inactive lanes hold the first active one's numbers.
+template <unsigned kSize>
+struct LaneRow {
+  Real numbers[kSize];
+  Real operator[](unsigned i) const { return numbers[i]; }
+  [[nodiscard]] Vec vec(unsigned i) const { return {numbers[i], numbers[i + 1], numbers[i + 2]}; }
+};
+
+/// The rows that `row(id)` points to; some lane is active. Masked loads of each distinct row cost
+/// less than gathers of all, and what follows runs once however many rows there are.
+template <unsigned kSize, class F>
+LaneRow<kSize> merged_rows(Int id, Mask active, F row) {
+  LaneRow<kSize> merged;
+  bool first = true;
+  for_each_distinct(id, active, [&](std::uint32_t i, Mask m) {
+    const T* numbers = row(i);
+    for (unsigned k = 0; k < kSize; ++k) {
+      merged.numbers[k] = first ? Real(numbers[k]) : select(m, Real(numbers[k]), merged.numbers[k]);
+    }
+    first = false;
+  });
+  return merged;
+}
+
 /// 3x4 matrix, row major, 12 entries.
 struct Affine {
   Vec r0, r1, r2, t;
@@ -102,7 +127,7 @@ struct Affine {
   /// Transpose of the linear part: normals go to world by the inverse map's transpose.
   [[nodiscard]] Vec transposed(Vec n) const { return madd(r0, n.x, madd(r1, n.y, r2 * n.z)); }
 };
-inline Affine affine_at(const Row& row, unsigned i) {
+inline Affine affine_at(const auto& row, unsigned i) {
   return {row.vec(i), row.vec(i + 4), row.vec(i + 8), {row[i + 3], row[i + 7], row[i + 11]}};
 }
 

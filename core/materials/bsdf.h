@@ -23,22 +23,15 @@ struct Material {
 };
 inline constexpr std::uint32_t kNoTexture = 0xffffffffU;
 
-inline bool is_textured(const Row& r) { return r.base[4] >= T(0) || r.base[11] >= T(0); }
+/// `r` is a Row or a LaneRow.
+inline Material material_at(const auto& r) {
+  return {to_int(r[0]), r.vec(1),        r[5],         r[6],         r[7],
+          r.vec(8),     r[12] > Real(0), to_int(r[4]), to_int(r[11])};
+}
+inline constexpr unsigned kMaterialNumbers = 13;
 
-inline Material material_at(const Row& r) {
-  const T* row = r.base;
-  const auto texture = [](T index) {
-    return index < T(0) ? kNoTexture : static_cast<std::uint32_t>(index);
-  };
-  return {Int(static_cast<std::uint32_t>(row[0])),
-          r.vec(1),
-          r[5],
-          r[6],
-          r[7],
-          r.vec(8),
-          Mask(row[12] > T(0)),
-          Int(texture(row[4])),
-          Int(texture(row[11]))};
+inline Mask is_textured(const Material& m) {
+  return m.base_color_texture != Int(kNoTexture) || m.emission_texture != Int(kNoTexture);
 }
 
 /// Reflects and emits nothing.
@@ -47,16 +40,15 @@ inline Material black_material() {
           Vec(Real(0)), Mask(false),  Int(kNoTexture), Int(kNoTexture)};
 }
 
-inline void merge(Mask m, const Material& from, Material& into) {
-  into.kind = select(m, from.kind, into.kind);
-  into.base_color = select(m, from.base_color, into.base_color);
-  into.fuzz = select(m, from.fuzz, into.fuzz);
-  into.alpha = select(m, from.alpha, into.alpha);
-  into.ior = select(m, from.ior, into.ior);
-  into.emission = select(m, from.emission, into.emission);
-  into.two_sided = select(m, from.two_sided, into.two_sided);
-  into.base_color_texture = select(m, from.base_color_texture, into.base_color_texture);
-  into.emission_texture = select(m, from.emission_texture, into.emission_texture);
+/// Row `index` of the material table; black where !active.
+inline Material materials_of(const SceneView<T>& scene, Int index, Mask active) {
+  if (none(active)) return black_material();
+  Material m = material_at(merged_rows<kMaterialNumbers>(index, active, [&](std::uint32_t i) {
+    return scene.materials + std::size_t{i} * kMaterialStride;
+  }));
+  m.kind = select(active, m.kind, Int(static_cast<std::uint32_t>(BsdfKind::Black)));
+  m.emission = select(active, m.emission, Vec(Real(0)));
+  return m;
 }
 
 /// Value and density of a pair of directions.

@@ -27,13 +27,9 @@ inline BsdfPoint load_bsdf_points(const Batch& batch, const SceneView<T>& scene,
   const Vec wo = batch.vec([&](std::size_t i) { return queries[i].wo; });
   const Vec outward = batch.vec([&](std::size_t i) { return queries[i].n; });
   const Mask front = dot(wo, outward) > Real(0);
-  BsdfPoint point{black_material(), Frame(select(front, outward, -outward)), wo, front};
   const Int material = batch.integer([&](std::size_t i) { return queries[i].material; });
-  for_each_distinct(material, batch.active(), [&](std::uint32_t i, Mask m) {
-    const Row row{scene.materials + std::size_t{i} * kMaterialStride};
-    merge(m, material_at(row), point.material);
-  });
-  return point;
+  return {materials_of(scene, material, batch.active()), Frame(select(front, outward, -outward)),
+          wo, front};
 }
 
 inline void eval_bsdfs(const SceneView<T>& used, std::span<const KernelBsdfQuery> queries,

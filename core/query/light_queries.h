@@ -52,7 +52,7 @@ inline NearestHit hit_lights(const SceneView<T>& scene, LightPlace place, const 
       });
       return;
     }
-    const TriangleHit h = hit_triangle(mesh_light(scene, i, place.slot, m).triangle, ray);
+    const TriangleHit h = hit_triangle(mesh_light(scene, place, m).triangle, ray);
     const Mask met = m && h.hit && h.t > Real(0);
     hit.t = select(met, h.t, hit.t);
     hit.b1 = select(met, h.b1, hit.b1);

@@ -32,13 +32,7 @@ inline void trace_rays(const SceneView<T>& scene, std::span<const KernelRay> ray
     find_hits<false>(scene, ray, batch.active(), hit);
     refine_hits(scene, ray, hit);
     const Mask found = batch.active() && hit.primitive != Int(kNoHit);
-    Surface s;
-    s.p = s.ng = s.ns = Vec(Real(0));
-    for_each_distinct(hit.primitive, found, [&](std::uint32_t i, Mask m) {
-      const Surface one = surface_of(scene, i, ray, hit, m, Coordinates::Wanted);
-      merge(m, one, s);
-      s.tangent = select(m, one.tangent, s.tangent);
-    });
+    const Surface s = surface_of(scene, ray, hit, found, found);
     batch.each_mask(found, [&](std::size_t i) -> bool& { return hits[i].found; });
     batch.each_mask(dot(ray.d, s.ng) < Real(0),
                     [&](std::size_t i) -> bool& { return hits[i].front; });

@@ -21,6 +21,13 @@ struct SphericalEllipse {
   Real half_a, half_b;  ///< sin(a/2), sin(b/2)
 };
 
+inline SphericalEllipse select(Mask m, const SphericalEllipse& a, const SphericalEllipse& b) {
+  return {select(m, a.x, b.x),           select(m, a.y, b.y),
+          select(m, a.z, b.z),           select(m, a.cot2_a, b.cot2_a),
+          select(m, a.cot2_b, b.cot2_b), select(m, a.half_a, b.half_a),
+          select(m, a.half_b, b.half_b)};
+}
+
 /// 1 - cos(theta), for cot^2(theta) = g.
 inline Real cap_of_rim(Real g) { return Real(1) / ((Real(1) + g) + sqrt(g * (Real(1) + g))); }
 

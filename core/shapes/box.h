@@ -12,7 +12,7 @@ struct Box {
   Vec center, axis[3], half;
 };
 
-inline Box box_at(const Row& row) {
+inline Box box_at(const auto& row) {
   return {row.vec(0), {row.vec(3), row.vec(6), row.vec(9)}, row.vec(12)};
 }
 

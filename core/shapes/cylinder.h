@@ -15,7 +15,7 @@ struct Cylinder {
   Real half, radius;
 };
 
-inline Cylinder cylinder_at(const Row& row) {
+inline Cylinder cylinder_at(const auto& row) {
   return {row.vec(0), row.vec(3), row.vec(6), row[9], row[10]};
 }
 
@@ -226,7 +226,7 @@ struct EllipticCylinder {
   Real determinant;
 };
 
-inline EllipticCylinder elliptic_cylinder_at(const Row& row) {
+inline EllipticCylinder elliptic_cylinder_at(const auto& row) {
   return {affine_at(row, 0), affine_at(row, 12), row[24]};
 }
 

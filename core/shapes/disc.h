@@ -13,7 +13,7 @@ struct Disc {
   Vec dual_u, dual_v;   ///< dual_u . (p - center) is the first coordinate
 };
 
-inline Disc disc_at(const Row& row) {
+inline Disc disc_at(const auto& row) {
   return {row.vec(0), row.vec(3), row.vec(6), row.vec(9), row.vec(12), row.vec(15)};
 }
 
@@ -50,7 +50,7 @@ inline Surface surface_disc(const Disc& s, const Ray& ray, Real t, Coordinates u
   return r;
 }
 
-/// True (in all lanes or none) if the semi-axes are equal.
+/// True if the semi-axes are equal.
 inline Mask is_circle(const Disc& s) {
   const Real uu = length_squared(s.u), vv = length_squared(s.v);
   return abs(uu - vv) <= T(4) * kEpsilon * (uu + vv);
@@ -59,10 +59,16 @@ inline Mask is_circle(const Disc& s) {
 /// Directions from a point that is f from the centre.
 inline SphericalEllipse view_disc(const Disc& s, Vec f) {
   const Real height = dot(f, s.n);
-  if (any(is_circle(s))) return spherical_ellipse_of_circle(f, height, s.n, length(s.u));
-  const PrincipalAxes axes = axes_of_ellipse(s.u, s.v);
-  return spherical_ellipse_of_ellipsoid(axes, {dot(f, axes.a), dot(f, axes.b), height},
-                                        axes.squares.x * axes.squares.y * height * height);
+  const Mask circle = is_circle(s);
+  SphericalEllipse view = spherical_ellipse_of_circle(f, height, s.n, length(s.u));
+  if (any(!circle)) {
+    const PrincipalAxes axes = axes_of_ellipse(s.u, s.v);
+    view =
+        select(circle, view,
+               spherical_ellipse_of_ellipsoid(axes, {dot(f, axes.a), dot(f, axes.b), height},
+                                              axes.squares.x * axes.squares.y * height * height));
+  }
+  return view;
 }
 
 inline Real area_of_disc(const Disc& s) { return kPi * length(s.u) * length(s.v); }
@@ -88,20 +94,20 @@ inline Mask disc_is_far(const Disc& s, Vec f) {
   return pdf_spherical_ellipse(view_disc(s, f), d);
 }
 
-/// Nearly uniform over the solid angle when near, else over the area.
-inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u) {
+/// Nearly uniform over the solid angle when near, else over the area; meaningful where `active`.
+inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u, Mask active = Mask(true)) {
   const Vec f = from - s.center;
   const Vec2 k = square_to_disk(u);
   LightSample r = toward_point(madd(s.u, k.x, s.v * k.y) - f, s.n, Real(1) / area_of_disc(s));
-  const Mask near = !disc_is_far(s, f);
+  const Mask near = active && !disc_is_far(s, f);
   if (any(near)) r = select(near, sample_near_disc(s, f, u), r);
   return r;
 }
 
-inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t) {
+inline Real pdf_disc(const Disc& s, Vec from, Vec d, Real t, Mask active = Mask(true)) {
   const Vec f = from - s.center;
   Real pdf = solid_angle_pdf(Real(1) / area_of_disc(s), t * t, abs(dot(s.n, d)));
-  const Mask near = !disc_is_far(s, f);
+  const Mask near = active && !disc_is_far(s, f);
   if (any(near)) pdf = select(near, pdf_near_disc(s, f, d), pdf);
   return pdf;
 }

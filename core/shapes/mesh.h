@@ -11,7 +11,7 @@ struct MeshInstance {
   Affine to_local, to_world;
 };
 
-inline MeshInstance mesh_at(const Row& row) { return {affine_at(row, 0), affine_at(row, 12)}; }
+inline MeshInstance mesh_at(const auto& row) { return {affine_at(row, 0), affine_at(row, 12)}; }
 
 /// The mesh of instance i.
 inline const MeshView<T>& mesh_of(const SceneView<T>& scene, std::uint32_t i) {
@@ -23,24 +23,34 @@ struct MeshTriangle {
   Triangle vertices;  ///< mesh space
   Vec normals[3];     ///< all zero if the mesh has none
   Vec2 uvs[3];
-  bool has_uvs;
+  Mask has_uvs;
 };
 
-inline MeshTriangle fetch_triangle(const MeshView<T>& mesh, Int slot, Mask active) {
-  alignas(64) std::uint32_t slots[kLanes];
+inline const MeshView<T>& mesh_of(const SceneView<T>& scene, std::uint32_t primitive) {
+  return scene
+      .meshes[static_cast<std::uint32_t>(scene.rows[scene.row[primitive] + MeshInstance::kRow])];
+}
+
+/// Of each active lane's mesh instance.
+inline MeshTriangle fetch_triangles(const SceneView<T>& scene, Int primitive, Int slot,
+                                    Mask active) {
+  alignas(64) std::uint32_t primitives[kLanes], slots[kLanes];
   alignas(64) T v[9][kLanes] = {}, n[9][kLanes] = {}, uv[6][kLanes] = {};
+  store(primitives, primitive);
   store(slots, slot);
+  std::uint32_t with_uvs = 0;
   for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
+    const MeshView<T>& mesh = mesh_of(scene, primitives[lane]);
     const TriangleBlock<T>& block = mesh.blocks[slots[lane] / kBvhWidth];
     const std::uint32_t column = slots[lane] % kBvhWidth;
     for (unsigned k = 0; k < 9; ++k) v[k][lane] = block.v[k][column];
     for (unsigned k = 0; k < 9 && mesh.normals != nullptr; ++k) {
       n[k][lane] = mesh.normals[std::size_t{9} * slots[lane] + k];
     }
-    for (unsigned k = 0; k < 6 && mesh.uvs != nullptr; ++k) {
-      uv[k][lane] = mesh.uvs[std::size_t{6} * slots[lane] + k];
-    }
+    if (mesh.uvs == nullptr) continue;
+    with_uvs |= 1U << lane;
+    for (unsigned k = 0; k < 6; ++k) uv[k][lane] = mesh.uvs[std::size_t{6} * slots[lane] + k];
   }
   const auto vec = [](const T(&a)[9][kLanes], unsigned i) {
     return Vec{load(a[i]), load(a[i + 1]), load(a[i + 2])};
@@ -51,7 +61,7 @@ inline MeshTriangle fetch_triangle(const MeshView<T>& mesh, Int slot, Mask activ
     r.normals[i] = vec(n, 3 * i);
     r.uvs[i] = {load(uv[2 * i]), load(uv[2 * i + 1])};
   }
-  r.has_uvs = mesh.uvs != nullptr;
+  r.has_uvs = mask_from_bits(with_uvs);
   return r;
 }
 
@@ -74,8 +84,8 @@ inline Surface surface_mesh(const MeshInstance& m, const MeshTriangle& t, Real b
   r.ns = select(squared > Real(0),
                 ns * (Real(1) / sqrt(select(squared > Real(0), squared, Real(1)))), r.ng);
   if (uv == Coordinates::None) return r;
-  r.u = t.has_uvs ? fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)) : b1;
-  r.v = t.has_uvs ? fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)) : b2;
+  r.u = select(t.has_uvs, fma(t.uvs[0].x, b0, fma(t.uvs[1].x, b1, t.uvs[2].x * b2)), b1);
+  r.v = select(t.has_uvs, fma(t.uvs[0].y, b0, fma(t.uvs[1].y, b1, t.uvs[2].y * b2)), b2);
   // dp/du with v held; along the first edge where the uvs do not tell.
   const Vec2 d1{t.uvs[1].x - t.uvs[0].x, t.uvs[1].y - t.uvs[0].y};
   const Vec2 d2{t.uvs[2].x - t.uvs[0].x, t.uvs[2].y - t.uvs[0].y};

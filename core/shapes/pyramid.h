@@ -16,7 +16,7 @@ struct Pyramid {
   Real h0;
 };
 
-inline Pyramid pyramid_at(const Row& row) {
+inline Pyramid pyramid_at(const auto& row) {
   Pyramid s;
   s.v0 = row.vec(0);
   for (unsigned i = 0; i < 3; ++i) s.edge[i] = row.vec(3 + 3 * i);

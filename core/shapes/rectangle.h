@@ -13,7 +13,7 @@ struct Rectangle {
   Vec dual_u, dual_v;   ///< dual_u . (p - corner) is the first coordinate
 };
 
-inline Rectangle rectangle_at(const Row& row) {
+inline Rectangle rectangle_at(const auto& row) {
   return {row.vec(0), row.vec(3), row.vec(6), row.vec(9), row.vec(12), row.vec(15)};
 }
 

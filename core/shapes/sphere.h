@@ -15,7 +15,7 @@ struct Sphere {
 };
 
 /// At each ray's time.
-inline Sphere sphere_at(const Row& row, Real time) {
+inline Sphere sphere_at(const auto& row, Real time) {
   return {madd(row.vec(4), time, row.vec(0)), row[3], row.vec(7), row.vec(10)};
 }
 
@@ -127,7 +127,7 @@ struct Ellipsoid {
   Vec shift;  ///< motion so far
 };
 
-inline Ellipsoid ellipsoid_at(const Row& row, Real time) {
+inline Ellipsoid ellipsoid_at(const auto& row, Real time) {
   return {affine_at(row, 0), affine_at(row, 12), row.vec(24) * time};
 }
 
@@ -150,7 +150,7 @@ inline Surface surface_ellipsoid(const Ellipsoid& e, const Ray& ray, Real t, Coo
 }
 
 /// For light sampling only; its row comes after the ellipsoid's own numbers.
-inline PrincipalAxes axes_of_ellipsoid(const Row& row) {
+inline PrincipalAxes axes_of_ellipsoid(const auto& row) {
   return {row.vec(27), row.vec(30), row.vec(33), row.vec(36)};
 }
 

@@ -13,7 +13,9 @@ struct Triangle {
   Real facing = Real(1);  ///< -1 if a mirroring transform turned the winding; the front stays
 };
 
-inline Triangle triangle_at(const Row& row) { return {row.vec(0), row.vec(3), row.vec(6), row[9]}; }
+inline Triangle triangle_at(const auto& row) {
+  return {row.vec(0), row.vec(3), row.vec(6), row[9]};
+}
 
 /// Hit with barycentrics of the vertices b and c.
 struct TriangleHit {
