@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "core/compile/light_candidates.h"
+
 namespace lightbench {
 namespace {
 
@@ -170,6 +172,7 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
       small.push_back(l);
     }
   }
+  add_light_candidates(scene, geometry, *part);
   return part;
 }
 

@@ -59,6 +59,10 @@ struct LightPart {
   std::vector<std::uint32_t> first_of_primitive;
   std::vector<std::uint32_t> primitive, slot, alias_other;
   std::vector<T> pmf, alias_threshold;
+  // Choice by contribution (core/compile/light_candidates.h).
+  std::uint32_t direct_candidates = 0;
+  std::vector<T> candidates, mirrors;
+  std::vector<std::uint32_t> mirror_end, image_candidate;
 };
 
 template <class T>

@@ -11,6 +11,7 @@
 #include "core/kernel/splat.h"
 #include "core/lights/environment.h"
 #include "core/lights/light.h"
+#include "core/lights/light_choice.h"
 #include "core/materials/scatter.h"
 #include "core/media/medium.h"
 
@@ -104,31 +105,85 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
   return emission;
 }
 
+/// The way of a light sample by a mirror: to `t` along d, then on along the sample's own direction
+/// from `through`. Where !mirrored the way is straight.
+struct MirrorWay {
+  Mask mirrored;
+  Mirror mirror;
+  Vec d, through;
+  Real t;
+};
+
+/// Light sample in a mirror: from the mirrored point, where the way meets the mirror's face.
+inline MirrorWay by_mirror(const Mirror& mirror, Mask mirrored_lanes, Vec from, LightSample& s) {
+  MirrorWay way{mirrored_lanes, mirror, mirrored_direction(mirror, s.d), {}, {}};
+  const Vec place = place_before(mirror, from);
+  way.t = place.z / dot(mirror.n, s.d);
+  way.through = madd(way.d, way.t, from);
+  const Vec at = place_before(mirror, way.through);
+  const Mask meets = way.t > Real(0) && way.t < s.distance && within_outline(mirror, at.x, at.y);
+  s.valid = s.valid && (!mirrored_lanes || meets);
+  return way;
+}
+
 /// One light sample from each vertex of `active`, added to the paths' radiance. Never inlined, like
 /// find_hits().
 template <class Watch>
 [[gnu::noinline]] inline void add_direct_light(const SceneView<T>& scene, const Vertex& v,
                                                const Frame& frame, Int dimension_base, Mask active,
                                                Paths& paths, Counters& counters, Watch& watch) {
-  const LightChoice chosen =
-      choose_light(scene, paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x);
+  const Int random = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x;
+  LightChoice chosen;
+  if (scene.candidate_count > 0) {
+    const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n)};
+    Real scale;
+    chosen = choose_by_contribution(scene, at, random, scale);
+    paths.choice_scale = select(active, scale, paths.choice_scale);
+    paths.chosen_from = select(active, at.p, paths.chosen_from);
+    paths.chosen_n = select(active, at.n, paths.chosen_n);
+    active = active && chosen.pmf > Real(0);
+    if (none(active)) return;
+  } else {
+    chosen = choose_by_power(scene, random);
+  }
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
-  LightSample s = sample_light(scene, place, v.reflect_from, paths.ray.time, u, active);
-  const Mask own = active && place.primitive == paths.ray.from;
+  MirrorWay way;
+  way.mirrored = active && chosen.mirror != Int(kNoMirror);
+  const bool some_mirrored = scene.mirror_count > 0 && any(way.mirrored);
+  Vec seen_from = v.reflect_from;
+  if (some_mirrored) {
+    // One segment more than the straight way.
+    way.mirrored =
+        way.mirrored && paths.segments + Int(1U) < Int(static_cast<std::uint32_t>(scene.max_depth));
+    active = active && (way.mirrored || chosen.mirror == Int(kNoMirror));
+    if (none(active)) return;
+    way.mirror =
+        mirror_at(merged_rows<kMirrorStride>(chosen.mirror, way.mirrored, [&](std::uint32_t i) {
+          return scene.mirrors + i * kMirrorStride;
+        }));
+    seen_from = select(way.mirrored, mirrored(way.mirror, seen_from), seen_from);
+  }
+  LightSample s = sample_light(scene, place, seen_from, paths.ray.time, u, active);
+  const Mask own = active && !way.mirrored && place.primitive == paths.ray.from;
   if (any(own)) sample_own_lights(scene, place, paths.ray, v.reflect_from, u, !v.front, own, s);
+  Vec wi = s.d;
+  if (some_mirrored) {
+    way = by_mirror(way.mirror, way.mirrored, v.reflect_from, s);
+    wi = select(way.mirrored, way.d, wi);
+  }
 
   BsdfValue value{Vec(Real(T(0.25) * kInvPi)), Real(kPdfSphere)};
   value.f = value.f * v.material.base_color;  // isotropic phase function times albedo
   if (any(v.on_surface && s.valid)) {
-    BsdfValue f = eval_bsdf(scene, v.material, frame, v.wo, s.d);
-    const Mask above = dot(v.ng, s.d) > Real(0);
+    BsdfValue f = eval_bsdf(scene, v.material, frame, v.wo, wi);
+    const Mask above = dot(v.ng, wi) > Real(0);
     value.f = select(v.in_medium, value.f, select(above, f.f, Vec(Real(0))));
     value.pdf = select(v.in_medium, value.pdf, f.pdf);
   }
 
   Ray shadow = paths.ray;
-  shadow.o = v.reflect_from;
+  shadow.o = seen_from;
   shadow.d = s.d;
   const Vec emission = light_radiance(scene, place, s, shadow);
 
@@ -136,24 +191,55 @@ template <class Watch>
   const Real share = scene.counts_hits_of_lights ? power_heuristic(pdf, value.pdf) : Real(1);
   const Real weight = share / pdf;
   Vec light = paths.throughput * value.f * emission * weight;
-  if constexpr (Watch::kOn) watch.light_sampled(chosen, s, value, emission, weight * pdf);
-  const Mask wanted = s.valid && max_component(light) > Real(0);
+  if (some_mirrored) light = select(way.mirrored, light * way.mirror.color, light);
+  if constexpr (Watch::kOn) watch.light_sampled(chosen, s, wi, value, emission, weight * pdf);
+  Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
   shadow.from = select(v.in_medium, Int(kNoHit), shadow.from);
   shadow.inside = false;
+  // Both ends are kept apart from their surfaces by identity and by the offset; the margin only
+  // covers the rounding of the distance itself, for surfaces that touch the light.
+  constexpr T kShort = T(1) - 16 * kEpsilon;
+  Real distance = s.distance;
+  Int blocker(kNoHit);
+  if (some_mirrored) {
+    const Mask to_mirror = wanted && way.mirrored;
+    if (any(to_mirror)) {
+      shadow.o = v.reflect_from;
+      shadow.d = way.d;
+      shadow.skip = to_int(way.mirror.primitive);
+      shadow.skip_slot = Int(kNoHit);
+      shadow.skip_back = false;
+      NearestHit hit = no_hit(way.t * kShort);
+      find_hits<true>(scene, shadow, to_mirror, hit);
+      counters.shadow_rays += static_cast<std::uint64_t>(__builtin_popcount(bits(to_mirror)));
+      const Mask visible = to_mirror && hit.primitive == Int(kNoHit);
+      if (scene.medium_count > 0 && any(visible))
+        light = select(visible, light * transmittance(scene, shadow, way.t, visible), light);
+      blocker = select(to_mirror, hit.primitive, blocker);
+      wanted = wanted && (visible || !way.mirrored);
+      shadow.d = s.d;
+      // The second part leaves the mirror.
+      shadow.o = select(way.mirrored, leave_surface(way.through, way.mirror.n, way.mirror.offset),
+                        v.reflect_from);
+      shadow.from = select(way.mirrored, to_int(way.mirror.primitive), shadow.from);
+      shadow.from_slot = select(way.mirrored, Int(kNoHit), shadow.from_slot);
+      distance = select(way.mirrored, distance - way.t, distance);
+    } else {
+      shadow.o = v.reflect_from;
+    }
+  }
   shadow.skip = place.primitive;
   shadow.skip_slot = place.slot;
   shadow.skip_back = dot(s.n, s.d) >= Real(0);
-  // Both ends are kept apart from their surfaces by identity and by the offset; the margin only
-  // covers the rounding of the distance itself, for surfaces that touch the light.
-  const Real t_max = s.distance * (T(1) - 16 * kEpsilon);
-  NearestHit blocker = no_hit(t_max);
-  find_hits<true>(scene, shadow, wanted, blocker);
+  NearestHit hit = no_hit(distance * kShort);
+  if (any(wanted)) find_hits<true>(scene, shadow, wanted, hit);
   counters.shadow_rays += static_cast<std::uint64_t>(__builtin_popcount(bits(wanted)));
-  const Mask visible = wanted && blocker.primitive == Int(kNoHit);
+  const Mask visible = wanted && hit.primitive == Int(kNoHit);
   if (scene.medium_count > 0 && any(visible))
-    light = light * transmittance(scene, shadow, s.distance, visible);
-  if constexpr (Watch::kOn) watch.light_arrived(blocker.primitive, visible, light);
+    light = light * transmittance(scene, shadow, distance, visible);
+  if constexpr (Watch::kOn)
+    watch.light_arrived(select(wanted, hit.primitive, blocker), visible, light);
   paths.radiance = select(visible, paths.radiance + light, paths.radiance);
 }
 
@@ -182,12 +268,30 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   const Mask sampled = bright && paths.pdf > Real(0);
   if (scene.samples_lights && any(sampled)) {
     const auto [light, known, mesh] = light_of(scene, hit, sampled);
-    Real of_shape = pdf_light(scene, {hit.primitive, hit.slot}, paths.ray.o, paths.ray.time,
-                              paths.ray.d, hit.t, v.surface.ng, known);
+    // By a mirror the light was sampled from the mirrored point, which lies behind the ray's
+    // origin.
+    Vec from = paths.ray.o;
+    Real distance = hit.t;
+    const Mask mirrored_lanes = known && paths.mirror != Int(kNoMirror);
+    if (scene.mirror_count > 0 && any(mirrored_lanes)) {
+      const Mirror mirror =
+          mirror_at(merged_rows<kMirrorStride>(paths.mirror, mirrored_lanes, [&](std::uint32_t i) {
+            return scene.mirrors + i * kMirrorStride;
+          }));
+      from = select(mirrored_lanes, mirrored(mirror, paths.chosen_from), from);
+      distance = select(mirrored_lanes, distance + length(paths.ray.o - from), distance);
+    }
+    Real of_shape = pdf_light(scene, {hit.primitive, hit.slot}, from, paths.ray.time, paths.ray.d,
+                              distance, v.surface.ng, known);
     // As sample_own_lights() has it.
-    const Mask own = known && hit.primitive == paths.ray.from && paths.ray.inside;
+    const Mask own =
+        known && !mirrored_lanes && hit.primitive == paths.ray.from && paths.ray.inside;
     of_shape = select(own && !mesh, Real(kPdfSphere), of_shape);
-    const Real pdf = gather(scene.light_pmf, light) * of_shape;
+    const Real pmf = scene.candidate_count > 0
+                         ? pmf_by_contribution(scene, {paths.chosen_from, paths.chosen_n}, light,
+                                               paths.mirror, paths.choice_scale, known)
+                         : gather(scene.light_pmf, light);
+    const Real pdf = pmf * of_shape;
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.
     const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)
                                                    : select(pdf > Real(0), Real(0), Real(1));
@@ -284,7 +388,20 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
     watch.going(going, PathEnd::Absorbed);
   }
   paths.throughput = paths.throughput * next.weight;
-  paths.pdf = select(next.delta, Real(0), next.pdf);
+  Mask unknown = next.delta;
+  if (scene.mirror_count > 0) {
+    // A first mirror keeps the density that the ray had: light sampling knows that way too.
+    const Mask first = next.delta && paths.pdf > Real(0) && paths.mirror == Int(kNoMirror);
+    paths.mirror = Int(kNoMirror);
+    if (any(first)) {
+      paths.mirror =
+          mirror_of(scene, hit.primitive, v.ng, first && is_kind(v.material, BsdfKind::Mirror));
+      const Mask mirrored_lanes = paths.mirror != Int(kNoMirror);
+      next.pdf = select(mirrored_lanes, paths.pdf, next.pdf);
+      unknown = unknown && !mirrored_lanes;
+    }
+  }
+  paths.pdf = select(unknown, Real(0), next.pdf);
   if (scene.has_dielectric) {
     const Mask refracted = v.on_surface && next.delta && !same_side;
     const Real ior2 = v.material.ior * v.material.ior;

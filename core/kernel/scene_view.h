@@ -33,6 +33,12 @@ inline constexpr std::uint32_t kNoLight = 0xffffffffU;
 inline constexpr std::uint32_t kNoHit = 0xffffffffU;
 inline constexpr unsigned kMaterialStride = 16;
 inline constexpr unsigned kTextureStride = 16;
+/// Lights and their images in mirrors that are chosen between by contribution, at most.
+inline constexpr unsigned kMaxLightCandidates = 32;
+inline constexpr unsigned kLightCandidateStride = 17;
+inline constexpr unsigned kMirrorStride = 18;
+inline constexpr std::uint32_t kNoMirror = 0xffffffffU;
+enum class MirrorOutline : std::uint32_t { Parallelogram, Triangle, Disc };
 /// Numbers in a mesh's row before the index of the mesh.
 inline constexpr unsigned kMeshRow = 24;
 
@@ -111,6 +117,16 @@ struct SceneView {
   const T* light_pmf = nullptr;
   const T* alias_threshold = nullptr;
   const std::uint32_t* alias_other = nullptr;
+
+  // By contribution instead (core/lights/light_choice.h): none if there is one light, or many.
+  // First the lights, in their order, then their images, mirror by mirror.
+  std::uint32_t candidate_count = 0, direct_candidates = 0;
+  const T* light_candidates = nullptr;
+  std::uint32_t mirror_count = 0;
+  const T* mirrors = nullptr;
+  const std::uint32_t* mirror_end = nullptr;  ///< past the last candidate of each mirror
+  /// Candidate of each mirror and light (mirror * light_count + light), kNoLight for none.
+  const std::uint32_t* image_candidate = nullptr;
 
   std::uint32_t medium_count = 0;
   const MediumView<T>* media = nullptr;

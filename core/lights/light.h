@@ -1,27 +1,11 @@
 #pragma once
-// Light sampling: a light is chosen in proportion to its power by an alias table, then a direction
-// to it by its shape. Every pdf here is the density of its sampler, in solid angle.
+// Sampling of directions to a light, by its shape. Every pdf here is the density of its sampler, in
+// solid angle.
 
 #include "core/accel/hit_surface.h"
 #include "core/accel/primitive_hit.h"
-#include "core/sampling/sobol.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-struct LightChoice {
-  Int light;
-  Real pmf;
-};
-
-/// By 32 random bits; scene.light_count > 0.
-inline LightChoice choose_light(const SceneView<T>& scene, Int random) {
-  const Int i = scale_bits(random, scene.light_count);
-  // The low half of the product is the position within the bin.
-  const Mask keep =
-      unit_from_bits(random * Int(scene.light_count)) < gather(scene.alias_threshold, i);
-  const Int light = select(keep, i, gather(scene.alias_other, i));
-  return {light, gather(scene.light_pmf, light)};
-}
 
 /// Which primitive (and triangle slot of a mesh) a light is.
 struct LightPlace {

@@ -33,7 +33,7 @@ inline void sample_light_points(const SceneView<T>& scene,
                  batch.unit([&](std::size_t i) { return queries[i].u[1]; })};
     const Int choice = batch.integer([&](std::size_t i) { return queries[i].choice; });
     const Int named = batch.integer([&](std::size_t i) { return queries[i].light; });
-    const Int light = select(named == Int(kNoLight), choose_light(scene, choice).light, named);
+    const Int light = select(named == Int(kNoLight), choose_by_power(scene, choice).light, named);
     const LightPlace place = place_of(scene, light);
     const LightSample s = sample_light(scene, place, from, time, u, batch.active());
     const Vec radiance = light_radiance(scene, place, s, probe_ray(from, s.d, time));

@@ -50,13 +50,13 @@ class PathWatch {
     v_.emission_weight = number(weight);
   }
 
-  void light_sampled(const LightChoice& chosen, const LightSample& s, const BsdfValue& value,
-                     Vec emission, Real weight) {
+  void light_sampled(const LightChoice& chosen, const LightSample& s, Vec wi,
+                     const BsdfValue& value, Vec emission, Real weight) {
     v_.light_sampled = true;
     v_.light.valid = is_true(s.valid);
     v_.light.light = first(chosen.light);
     v_.light.selection = number(chosen.pmf);
-    put(s.d, v_.light.d);
+    put(wi, v_.light.d);
     put(s.n, v_.light.n);
     v_.light.distance = number(s.distance);
     v_.light.pdf = number(s.pdf);

@@ -26,11 +26,6 @@ struct MeshTriangle {
   Mask has_uvs;
 };
 
-inline const MeshView<T>& mesh_of(const SceneView<T>& scene, std::uint32_t primitive) {
-  return scene
-      .meshes[static_cast<std::uint32_t>(scene.rows[scene.row[primitive] + MeshInstance::kRow])];
-}
-
 /// Of each active lane's mesh instance.
 inline MeshTriangle fetch_triangles(const SceneView<T>& scene, Int primitive, Int slot,
                                     Mask active) {

@@ -1,0 +1,140 @@
+#pragma once
+// Which light a point samples. Where the scene has few lights, in proportion to an estimate of what
+// each would bring to that very point; and then the images of the lights in plane mirrors are
+// lights too. Where it has many (or one), in proportion to their power by an alias table.
+//
+// The estimate only has to be positive where it matters: the probability that it leads to takes
+// part in the weights of multiple importance sampling, so a light judged 0 is left to the paths'
+// own rays.
+
+#include "core/lights/mirror.h"
+#include "core/sampling/sobol.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+/// What a light sampler chose; `mirror` is kNoMirror for the light itself. pmf is 0 where nothing
+/// can be chosen.
+struct LightChoice {
+  Int light, mirror;
+  Real pmf;
+};
+
+/// By power: 32 random bits; scene.light_count > 0.
+inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
+  const Int i = scale_bits(random, scene.light_count);
+  // The low half of the product is the position within the bin.
+  const Mask keep =
+      unit_from_bits(random * Int(scene.light_count)) < gather(scene.alias_threshold, i);
+  const Int light = select(keep, i, gather(scene.alias_other, i));
+  return {light, Int(kNoMirror), gather(scene.light_pmf, light)};
+}
+
+/// The point that chooses; n is 0 in a medium, which looks all around.
+struct Chooser {
+  Vec p, n;
+};
+
+/// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
+/// for factors common to all. `c` reads a row (Row or LaneRow):
+///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
+///   the front, 8 light, 9 mirror or -1, 10 two-sided, 11..16 its window (core/lights/mirror.h).
+/// Of an image the centre and the normal are mirrored. The cosine at the point is the mean of the
+/// clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the point.
+inline Real contribution(const auto& c, const Chooser& at) {
+  const Vec d = c.vec(0) - at.p;
+  const Real r = c[6], rr = r * r;
+  const Real d2 = max(length_squared(d), rr * T(1e-4));
+  const Real s = dot(at.n, d);
+  const Real above = clamp(s + r, Real(0), r + r);
+  const Real distance = sqrt(d2);
+  const Real receiver = select(length_squared(at.n) > Real(0),
+                               fma(above * above, T(0.25) / r, max(s - r, Real(0))), distance);
+  const Vec n = c.vec(3);
+  const Mask flat = length_squared(n) > Real(0);
+  Real height = -dot(n, d);
+  height = select(c[10] > Real(0), abs(height), height);
+  // Near a flat light its far parts are seen less steeply than its centre.
+  height = select(height > Real(0), fma(r, min(rr / d2, Real(1)), height), Real(0));
+  height = select(flat, height, distance);
+  return c[7] * receiver * height / (d2 * (d2 + rr));
+}
+
+/// All candidates' estimates, and their sum.
+struct Contributions {
+  Real of[kMaxLightCandidates];
+  Real total;
+};
+inline Contributions contributions(const SceneView<T>& scene, const Chooser& at) {
+  Contributions c;
+  c.total = Real(0);
+  for (std::uint32_t i = 0; i < scene.direct_candidates; ++i) {
+    c.of[i] = contribution(Row{scene.light_candidates + i * kLightCandidateStride}, at);
+    c.total += c.of[i];
+  }
+  std::uint32_t i = scene.direct_candidates;
+  for (std::uint32_t m = 0; m < scene.mirror_count; ++m) {
+    const Mirror mirror = mirror_at(Row{scene.mirrors + m * kMirrorStride});
+    const Vec place = place_before(mirror, at.p);
+    for (; i < scene.mirror_end[m]; ++i) {
+      const Row row{scene.light_candidates + i * kLightCandidateStride};
+      const Real seen = share_in_window(mirror, place, row);
+      c.of[i] = Real(0);
+      if (none(seen > Real(0))) continue;
+      c.of[i] = contribution(row, at) * seen;
+      c.total += c.of[i];
+    }
+  }
+  return c;
+}
+
+/// By contribution: 32 random bits; candidates exist. `scale` = 1 / the sum of all, or 0.
+inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Chooser& at, Int random,
+                                          Real& scale) {
+  const Contributions c = contributions(scene, at);
+  const Real wanted = unit_from_bits(random) * c.total;
+  Real before(0), taken(0);
+  LightChoice choice{Int(0U), Int(kNoMirror), Real(0)};
+  const std::uint32_t count = scene.candidate_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const T* row = scene.light_candidates + i * kLightCandidateStride;
+    // The last of those that begin before the wanted place.
+    const Mask m = c.of[i] > Real(0) && wanted >= before;
+    before += c.of[i];
+    choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
+    choice.mirror = select(m, Int(mirror_index(row[9])), choice.mirror);
+    taken = select(m, c.of[i], taken);
+  }
+  scale = select(c.total > Real(0), Real(1) / c.total, Real(0));
+  choice.pmf = taken * scale;
+  return choice;
+}
+
+/// Probability with which the point chose, or would have chosen, `light` in `mirror` (kNoMirror for
+/// itself), by the `scale` that its choice gave.
+inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, Int light, Int mirror,
+                                Real scale, Mask active) {
+  // The candidates of a mirror's images stand in the order of the lights.
+  const Mask image = active && mirror != Int(kNoMirror);
+  Int candidate = light;
+  if (any(image)) {
+    candidate = select(image,
+                       gather(scene.image_candidate,
+                              select(image, mirror * Int(scene.light_count) + light, Int(0U))),
+                       candidate);
+  }
+  const Mask known = active && candidate != Int(kNoLight);
+  if (none(known)) return Real(0);
+  const auto row = merged_rows<kLightCandidateStride>(candidate, known, [&](std::uint32_t i) {
+    return scene.light_candidates + i * kLightCandidateStride;
+  });
+  Real value = contribution(row, at);
+  const Mask seen = known && image;
+  if (any(seen)) {
+    const Mirror m = mirror_at(merged_rows<kMirrorStride>(
+        mirror, seen, [&](std::uint32_t i) { return scene.mirrors + i * kMirrorStride; }));
+    value = select(seen, value * share_in_window(m, place_before(m, at.p), row), value);
+  }
+  return select(known, value * scale, Real(0));
+}
+
+LIGHTBENCH_KERNEL_END

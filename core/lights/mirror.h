@@ -1,0 +1,80 @@
+#pragma once
+// Plane faces of ideal mirrors. A light seen in one looks like a light behind it: sampling it from
+// the mirrored point is sampling its image, and the density is that of the light itself from there.
+
+#include "core/kernel/scene_view.h"
+#include "core/kernel/vec.h"
+
+LIGHTBENCH_KERNEL_BEGIN
+
+/// One side of one face, which its unit normal n points out of. Dual coordinates (0, 0) .. (1, 1)
+/// span a parallelogram, the half of it where they add up to 1 at most a triangle; of a disc they
+/// are the unit disk's.
+struct Mirror {
+  Vec n, origin, dual_u, dual_v;
+  Real outline;    ///< MirrorOutline
+  Real primitive;  ///< the solid or the plane that it belongs to
+  Vec color;
+  Real offset;  ///< bound on the error of a point on it
+};
+
+inline Mirror mirror_at(const auto& row) {
+  return {row.vec(0), row.vec(3), row.vec(6), row.vec(9), row[12], row[13], row.vec(14), row[17]};
+}
+
+inline Vec mirrored(const Mirror& m, Vec p) { return madd(m.n, T(-2) * dot(m.n, p - m.origin), p); }
+inline Vec mirrored_direction(const Mirror& m, Vec d) { return madd(m.n, T(-2) * dot(m.n, d), d); }
+
+/// Dual coordinates of a point and its height over the mirror.
+inline Vec place_before(const Mirror& m, Vec p) {
+  const Vec q = p - m.origin;
+  return {dot(m.dual_u, q), dot(m.dual_v, q), dot(m.n, q)};
+}
+
+inline Mask within_outline(const Mirror& m, Real a, Real b) {
+  const Real disc(static_cast<T>(MirrorOutline::Disc));
+  const Real triangle(static_cast<T>(MirrorOutline::Triangle));
+  const Mask square = min(a, b) >= Real(0) && max(a, b) <= Real(1);
+  return select(m.outline == disc, fma(a, a, b * b) <= Real(1),
+                square && (m.outline != triangle || a + b <= Real(1)));
+}
+
+/// Roughly which share of a light's image is seen through the mirror from `place`; 0 only where
+/// none is. Numbers 11..13 of the candidate's row are the light's own place before the mirror,
+/// 14..16 its extent around it: the lines from the point to the image cross the mirror within an
+/// interval of each coordinate.
+inline Real share_in_window(const Mirror& m, Vec place, const auto& candidate) {
+  const Vec light = candidate.vec(11), extent = candidate.vec(14);
+  const Real least = place.z / (place.z + light.z + extent.z);
+  const Real most = place.z / (place.z + max(light.z - extent.z, Real(0)));
+  const Real lowest =
+      select(m.outline == Real(static_cast<T>(MirrorOutline::Disc)), Real(-1), Real(0));
+  const auto share = [&](Real from, Real to, Real radius) {
+    const Real a = to - from - radius, b = to - from + radius;
+    const Real lo = from + min(a * least, a * most), hi = from + max(b * least, b * most);
+    return max(min(hi, Real(1)) - max(lo, lowest), Real(0)) / max(hi - lo, Real(T(1e-6)));
+  };
+  const Real seen = share(place.x, light.x, extent.x) * share(place.y, light.y, extent.y);
+  return select(place.z > Real(0), min(seen, Real(1)), Real(0));
+}
+
+/// Which face the points of `active` are on, by primitive and outward normal; kNoMirror for none.
+inline Int mirror_of(const SceneView<T>& scene, Int primitive, Vec n, Mask active) {
+  Int mirror(kNoMirror);
+  Real nearest(T(0.5));
+  for (std::uint32_t i = 0; i < scene.mirror_count; ++i) {
+    const T* row = scene.mirrors + i * kMirrorStride;
+    const Real cosine = dot(Row{row}.vec(0), n);
+    const Mask m =
+        active && primitive == Int(static_cast<std::uint32_t>(row[13])) && cosine > nearest;
+    nearest = select(m, cosine, nearest);
+    mirror = select(m, Int(i), mirror);
+  }
+  return mirror;
+}
+
+inline std::uint32_t mirror_index(T number) {
+  return number < T(0) ? kNoMirror : static_cast<std::uint32_t>(number);
+}
+
+LIGHTBENCH_KERNEL_END
