@@ -51,6 +51,14 @@ double single_scattering() {
   return std::exp(-2 * sigma) + scattered;
 }
 
+/// The mirror is 0.8 high: at the image's distance it shows what lies below 1.4.
+double light_by_a_mirror() {
+  const double image =
+      polygon_irradiance({}, {{3.5, 1, -0.5}, {3.5, 1, 0.5}, {3.5, 1.4, 0.5}, {3.5, 1.4, -0.5}});
+  const double direct = polygon_irradiance({}, {{1, 1, 1}, {1, 1, 2}, {1, 2, 2}, {1, 2, 1}});
+  return kLambert * 10 * (0.9 * image + direct);
+}
+
 const std::array kKnown{
     Known{"furnace", 0.5, {26, 26, 12, 12}},
     Known{"furnace", 1, {0, 0, 8, 8}},
@@ -73,6 +81,7 @@ const std::array kKnown{
     Known{"inside-emitting-sphere", 1, {}},
     Known{"single-scattering", single_scattering(), {}},
     Known{"mirror-image", 9, {}},
+    Known{"mirror-irradiance", light_by_a_mirror(), {}},
     Known{"glass-image", 10 * 0.96 / 1.04, {}},
     Known{"emitter-in-glass", 10 * 0.96 / 2.25, {}},
     Known{"lens-blur", disc_share_beyond(0.1), {}},
