@@ -66,8 +66,10 @@ std::string place_text(const Scene& scene, const PathVertex& v) {
 std::string light_text(const Scene& scene, const RenderScene& compiled, const LightTry& light) {
   const LightPoint& p = light.point;
   std::string text =
-      fmt::format("   light      {} chosen with probability {:.9g}: ",
-                  object_name(scene, light_source(compiled, p.light).object), p.selection);
+      fmt::format("   light      {}{} chosen with probability {:.9g}: ",
+                  object_name(scene, light_source(compiled, p.light).object),
+                  light.mirror == kNone ? "" : " in the mirror " + object_name(scene, light.mirror),
+                  p.selection);
   if (!p.valid) return text + "no point of it can be seen from here\n";
   text += fmt::format(
       "direction {}, {:.9g} away, pdf {:.9g} /sr\n"

@@ -145,6 +145,7 @@ class LightQuestions : public Questions {
     const glm::dvec3 point = fields.point("p");
     q.has_normal = fields.has("n");
     q.normal = glm::normalize(fields.direction("n", {0, 0, 1}));
+    const glm::dvec3 chooser = q.has_normal ? q.normal : glm::dvec3(0);
     q.directed = fields.has("d");
     const glm::dvec3 direction = fields.direction("d", {0, 0, 1});
     const double time = subject_.time_of(fields);
@@ -163,14 +164,14 @@ class LightQuestions : public Questions {
 
     q.first = q.directed ? directions_.size() : samples_.size();
     if (!q.directed && chosen && count_ > 0) {
-      samples_.push_back({point, u[0], u[1], choice, kNone, time});
+      samples_.push_back({point, u[0], u[1], choice, kNone, time, chooser});
       last = first;
     }
     for (int i = first; i < last; ++i) {
       if (q.directed) {
-        directions_.push_back({point, direction, i, time});
+        directions_.push_back({point, direction, i, time, chooser});
       } else {
-        samples_.push_back({point, u[0], u[1], 0, i, time});
+        samples_.push_back({point, u[0], u[1], 0, i, time, chooser});
       }
     }
     q.count = (q.directed ? directions_.size() : samples_.size()) - q.first;
@@ -211,9 +212,9 @@ class LightQuestions : public Questions {
       const LightSource source = light_source(*subject_.compiled, light);
       answer.add("light", light).add("object", subject_.object(source.object).name);
       if (source.triangle != kNone) answer.add("triangle", source.triangle);
-      answer.add("selection", source.selection);
     }
     if (!point.valid) return answer;
+    answer.add("selection", point.selection);
     answer.add("d", point.direction).add("distance", point.distance).add("n", point.normal);
     answer.add("pdf", point.pdf).add("radiance", point.radiance);
     if (q.has_normal) answer.add("cosine", glm::dot(point.direction, q.normal));

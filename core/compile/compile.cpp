@@ -91,14 +91,21 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.light_pmf = p.lights->pmf.data();
   v.alias_threshold = p.lights->alias_threshold.data();
   v.alias_other = p.lights->alias_other.data();
-  v.candidate_count =
-      static_cast<std::uint32_t>(p.lights->candidates.size() / kLightCandidateStride);
-  v.direct_candidates = p.lights->direct_candidates;
-  v.light_candidates = p.lights->candidates.data();
-  v.mirror_count = static_cast<std::uint32_t>(p.lights->mirror_end.size());
-  v.mirrors = p.lights->mirrors.data();
-  v.mirror_end = p.lights->mirror_end.data();
-  v.image_candidate = p.lights->image_candidate.data();
+  const LightChoiceBy choice = scene.render.light_choice;
+  if (choice != LightChoiceBy::Power) {
+    v.direct_candidates = p.lights->direct_candidates;
+    v.candidate_count = v.direct_candidates;
+    v.light_candidates = p.lights->candidates.data();
+  }
+  if (choice == LightChoiceBy::Images) {
+    v.candidate_count =
+        static_cast<std::uint32_t>(p.lights->candidates.size() / kLightCandidateStride);
+    v.mirror_count = static_cast<std::uint32_t>(p.lights->mirror_end.size());
+    v.mirrors = p.lights->mirrors.data();
+    v.mirror_end = p.lights->mirror_end.data();
+    v.image_candidate = p.lights->image_candidate.data();
+  }
+  v.independent_samples = scene.render.sampler == SamplerKind::Independent;
   v.camera = compile_camera(scene, g, crop);
   v.environment = compile_environment<T>(scene.environment);
   v.max_depth = scene.render.max_depth;

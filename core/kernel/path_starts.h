@@ -78,6 +78,7 @@ class PathStarts {
     paths.sample = expand(m, sample_ + begin_, paths.sample);
     paths.sampler.pixel_key = expand(m, pixel_key_ + begin_, paths.sampler.pixel_key);
     paths.sampler.reversed_index = reverse_bits(paths.sample);
+    paths.sampler.independent = scene_.independent_samples;
     paths.throughput = select(m, Vec(Real(1)), paths.throughput);
     paths.radiance = select(m, Vec(Real(0)), paths.radiance);
     paths.pdf = select(m, Real(0), paths.pdf);
@@ -113,7 +114,8 @@ class PathStarts {
       ys[count] = static_cast<std::uint32_t>(job.y * work_.stride + scene_.camera.crop_y);
     }
     const Int x = load(xs), y = load(ys);
-    const Sampler sampler{hash(hash(x, y), Int(scene_.seed)), reverse_bits(load(sample_ + end_))};
+    const Sampler sampler{hash(hash(x, y), Int(scene_.seed)), reverse_bits(load(sample_ + end_)),
+                          scene_.independent_samples};
     const Vec2 u = sampler.pair(Int(dimension::kFilter));
     // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands
     // for.

@@ -192,7 +192,12 @@ template <class Watch>
   const Real weight = share / pdf;
   Vec light = paths.throughput * value.f * emission * weight;
   if (some_mirrored) light = select(way.mirrored, light * way.mirror.color, light);
-  if constexpr (Watch::kOn) watch.light_sampled(chosen, s, wi, value, emission, weight * pdf);
+  if constexpr (Watch::kOn) {
+    const Int mirror = some_mirrored
+                           ? select(way.mirrored, to_int(way.mirror.primitive), Int(kNoHit))
+                           : Int(kNoHit);
+    watch.light_sampled(chosen, s, wi, value, emission, weight * pdf, mirror);
+  }
   Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
   shadow.from = select(v.in_medium, Int(kNoHit), shadow.from);
@@ -301,6 +306,10 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   paths.radiance = select(
       bright, madd(paths.throughput * v.material.emission, weight, paths.radiance), paths.radiance);
 }
+
+/// Survival of roulette over the path's throughput. 1 keeps all paths alike; twice that traces 5 %
+/// more rays for 14 % less squared error in the headline scene (docs/performance.md).
+inline constexpr T kRouletteSurvival = 2;
 
 /// Advances every live path by one vertex.
 template <class Watch>
@@ -414,7 +423,8 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   if (any(roulette)) {
     // Not below 1 for a path that has lost nothing: divided by less at every bounce, the throughput
     // of a long one without losses (total reflection) would grow without limit.
-    const Real survival = min(max_component(paths.throughput) * paths.roulette_scale, Real(1));
+    const Real survival =
+        min(max_component(paths.throughput) * paths.roulette_scale * kRouletteSurvival, Real(1));
     const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {

@@ -10,12 +10,12 @@ LIGHTBENCH_KERNEL_BEGIN
 struct Paths {
   Ray ray;
   Vec throughput, radiance;
-  Real pdf;             ///< of the ray's direction, solid angle; 0 after the camera or a delta lobe
+  Real pdf;  ///< of the ray's direction, solid angle; 0 after the camera or a delta lobe
   // The choice of a light at the last vertex with a pdf, by which a light that the ray meets is
   // weighted. Only where lights are chosen by contribution.
   Vec chosen_from, chosen_n;
   Real choice_scale;
-  Int mirror;  ///< through which the ray has gone since, kNoMirror for none
+  Int mirror;           ///< through which the ray has gone since, kNoMirror for none
   Real roulette_scale;  ///< undoes the radiance scaling of refraction when judging a path's worth
   Int segments;         ///< path segments traced
   Int pixel;            ///< film index

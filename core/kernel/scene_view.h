@@ -136,6 +136,7 @@ struct SceneView {
   int max_depth = 50;
   int roulette_depth = 4;
   std::uint32_t seed = 0;
+  bool independent_samples = false;
   T inverse_film_unit = 1;
 
   bool has_triangles = false;  ///< single ones or meshes: their hits are refined

@@ -7,9 +7,9 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-inline void put_light_points(const Batch& batch, const SceneView<T>& scene, Mask valid, Int light,
-                             const LightSample& s, Vec radiance,
-                             std::span<KernelLightPoint> points) {
+/// `selection`: probability with which a point at `at` chooses the light.
+inline void put_light_points(const Batch& batch, Mask valid, Int light, const LightSample& s,
+                             Vec radiance, Real selection, std::span<KernelLightPoint> points) {
   const Int known = select(valid, light, Int(0U));
   batch.each_mask(valid, [&](std::size_t i) -> bool& { return points[i].valid; });
   batch.each(
@@ -19,8 +19,26 @@ inline void put_light_points(const Batch& batch, const SceneView<T>& scene, Mask
   batch.each(radiance, [&](std::size_t i) { return points[i].radiance; });
   batch.each(s.distance, [&](std::size_t i) -> double& { return points[i].distance; });
   batch.each(s.pdf, [&](std::size_t i) -> double& { return points[i].pdf; });
-  batch.each(gather(scene.light_pmf, known),
-             [&](std::size_t i) -> double& { return points[i].selection; });
+  batch.each(selection, [&](std::size_t i) -> double& { return points[i].selection; });
+}
+
+/// Probability with which each point chooses its light; images in mirrors have the rest.
+inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light, Mask active) {
+  if (scene.candidate_count == 0) return gather(scene.light_pmf, select(active, light, Int(0U)));
+  const Real total = contributions(scene, at).total;
+  const Real scale = select(total > Real(0), Real(1) / total, Real(0));
+  return pmf_by_contribution(scene, at, select(active, light, Int(0U)), Int(kNoMirror), scale,
+                             active);
+}
+
+/// A light for each point: as the path tracer chooses, but for images in mirrors.
+inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random) {
+  if (scene.candidate_count == 0) return choose_by_power(scene, random).light;
+  SceneView<T> direct = scene;
+  direct.candidate_count = scene.direct_candidates;
+  direct.mirror_count = 0;
+  Real scale;
+  return choose_by_contribution(direct, at, random, scale).light;
 }
 
 inline void sample_light_points(const SceneView<T>& scene,
@@ -33,11 +51,14 @@ inline void sample_light_points(const SceneView<T>& scene,
                  batch.unit([&](std::size_t i) { return queries[i].u[1]; })};
     const Int choice = batch.integer([&](std::size_t i) { return queries[i].choice; });
     const Int named = batch.integer([&](std::size_t i) { return queries[i].light; });
-    const Int light = select(named == Int(kNoLight), choose_by_power(scene, choice).light, named);
+    const Chooser at{from, batch.vec([&](std::size_t i) { return queries[i].n; })};
+    const Int light = select(named == Int(kNoLight), choose_lights(scene, at, choice), named);
     const LightPlace place = place_of(scene, light);
     const LightSample s = sample_light(scene, place, from, time, u, batch.active());
     const Vec radiance = light_radiance(scene, place, s, probe_ray(from, s.d, time));
-    put_light_points(batch, scene, s.valid && batch.active(), light, s, radiance, points);
+    const Mask valid = s.valid && batch.active();
+    put_light_points(batch, valid, light, s, radiance, selection_of(scene, at, light, valid),
+                     points);
   });
 }
 
@@ -93,8 +114,9 @@ inline void pdf_light_points(const SceneView<T>& scene,
     s.pdf = pdf_light(scene, {hit.primitive, hit.slot}, ray.o, ray.time, ray.d, hit.t, v.surface.ng,
                       valid);
     const Mask bright = valid && (dot(ray.d, v.surface.ng) < Real(0) || v.material.two_sided);
-    put_light_points(batch, scene, valid, light, s,
-                     select(bright, v.material.emission, Vec(Real(0))), points);
+    const Chooser at{ray.o, batch.vec([&](std::size_t i) { return queries[i].n; })};
+    put_light_points(batch, valid, light, s, select(bright, v.material.emission, Vec(Real(0))),
+                     selection_of(scene, at, light, valid), points);
   });
 }
 

@@ -62,6 +62,7 @@ void sample_lights(const RenderScene& scene, std::span<const LightQuery> queries
         [&](const LightQuery& q) {
           KernelLightQuery k{};
           put(geometry.space.to_render(q.point), k.p);
+          put(q.normal, k.n);
           k.u[0] = q.u;
           k.u[1] = q.v;
           k.time = shutter_share(geometry, q.time);
@@ -88,6 +89,7 @@ void pdf_lights(const RenderScene& scene, std::span<const LightDirection> querie
         [&](const LightDirection& q) {
           KernelLightDirection k{};
           put(geometry.space.to_render(q.point), k.p);
+          put(q.normal, k.n);
           put(q.direction / safe_length(q.direction), k.d);
           k.time = shutter_share(geometry, q.time);
           k.light = kernel_light(q.light);

@@ -16,7 +16,7 @@ namespace lightbench {
 struct LightSource {
   int object = kNone;    ///< index into Scene::objects
   int triangle = kNone;  ///< index into Mesh::triangles; of a mesh only
-  double selection = 0;  ///< probability with which the sampler chooses it; 0 for filled-up places
+  double selection = 0;  ///< share of the lights' power; 0 for filled-up places
 };
 /// Lights are numbered [0, light_count).
 int light_count(const RenderScene& scene);
@@ -29,15 +29,17 @@ struct LightQuery {
   double u = 0, v = 0;  ///< pick the direction
   double choice = 0;    ///< picks the light, unless `light` names it
   int light = kNone;
-  double time = 0;  ///< clamped to the camera's shutter
+  double time = 0;       ///< clamped to the camera's shutter
+  glm::dvec3 normal{0};  ///< unit, of the surface there; 0 looks all around, as in a medium
 };
 
 /// Asks with which density a direction would be sampled.
 struct LightDirection {
   glm::dvec3 point{0};             ///< scene units
   glm::dvec3 direction{0, 0, -1};  ///< any length but 0
-  int light = kNone;  ///< this light alone, whatever is in the way; kNone: the one that is seen
-  double time = 0;    ///< clamped to the camera's shutter
+  int light = kNone;     ///< this light alone, whatever is in the way; kNone: the one that is seen
+  double time = 0;       ///< clamped to the camera's shutter
+  glm::dvec3 normal{0};  ///< as in LightQuery
 };
 
 /// A point of a light, seen from the point asked about. Where !valid nothing else is meant, and no
@@ -49,8 +51,9 @@ struct LightPoint {
   double distance = 0;      ///< scene units
   glm::dvec3 normal{0};     ///< unit, outward from the light
   double pdf = 0;           ///< 1/sr, of this direction once the light is chosen
-  double selection = 0;     ///< probability that the light is; the sampler's density is the product
-  glm::dvec3 radiance{0};   ///< that the light sends to the point if nothing is in the way
+  double selection = 0;  ///< probability that the point chooses the light, not an image of it in a
+                         ///< mirror; the sampler's density is the product
+  glm::dvec3 radiance{0};  ///< that the light sends to the point if nothing is in the way
 };
 
 /// What the sampler picks. `points` must be as long as `queries`; the scene must have lights.

@@ -37,13 +37,13 @@ struct KernelPoint {
 };
 
 struct KernelLightQuery {
-  double p[3], u[2];
+  double p[3], n[3], u[2];  ///< n: 0 looks all around
   double time;
   std::uint32_t choice;  ///< random bits
   std::uint32_t light;   ///< kNoLight: by choice
 };
 struct KernelLightDirection {
-  double p[3], d[3];
+  double p[3], n[3], d[3];
   double time;
   std::uint32_t light;  ///< kNoLight: of the nearest surface
 };
@@ -83,6 +83,7 @@ struct KernelPathVertex {
 
   bool light_sampled, light_visible;
   KernelLightPoint light;
+  std::uint32_t mirror;  ///< primitive by way of which it was sampled, or kNoHit
   double light_value[3], light_value_pdf, light_weight, light_added[3];
   std::uint32_t blocker;  ///< primitive, or kNoHit
 

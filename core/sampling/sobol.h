@@ -48,8 +48,9 @@ inline constexpr std::uint32_t kDistance = 3;  ///< free flight, third dimension
 }  // namespace dimension
 
 struct Sampler {
-  Int pixel_key;       ///< hash of seed and pixel
-  Int reversed_index;  ///< sample index, bits reversed
+  Int pixel_key;             ///< hash of seed and pixel
+  Int reversed_index;        ///< sample index, bits reversed
+  bool independent = false;  ///< hashes instead of Sobol points: plain Monte Carlo
 
   /// Both numbers as 32 bits each.
   struct Bits {
@@ -58,6 +59,10 @@ struct Sampler {
   [[nodiscard]] Bits pair_bits(Int dimension_pair) const {
     // Distinct for each dimension of a pixel: an odd step never repeats.
     const Int key = hash(pixel_key + dimension_pair * Int(0x9e3779b9U));
+    if (independent) {
+      const Int both = hash(key ^ reversed_index);
+      return {hash(both ^ Int(0x68bc21ebU)), hash(both ^ Int(0x02e5be93U))};
+    }
     // Owen scrambling the index shuffles the order within every aligned block of 2^k samples, so
     // that pairs are independent of each other while each keeps its stratification.
     const Int index = reverse_bits(scramble_reversed(reversed_index, key));

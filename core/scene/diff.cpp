@@ -30,7 +30,9 @@ Change diff_render(const RenderSettings& a, const RenderSettings& b) {
          when(a.snapshots, b.snapshots, Change::Target) |
          when(a.max_depth, b.max_depth, Change::Settings) |
          when(a.roulette_depth, b.roulette_depth, Change::Settings) |
-         when(a.strategy, b.strategy, Change::Settings) | when(a.seed, b.seed, Change::Settings) |
+         when(a.strategy, b.strategy, Change::Settings) |
+         when(a.light_choice, b.light_choice, Change::Settings) |
+         when(a.sampler, b.sampler, Change::Settings) | when(a.seed, b.seed, Change::Settings) |
          when(a.filter, b.filter, Change::Settings) |
          when(a.filter_radius, b.filter_radius, Change::Settings);
 }

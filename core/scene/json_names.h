@@ -35,6 +35,14 @@ inline constexpr Names<FilterKind, 3> kFilterKinds{{{"box", FilterKind::Box},
 inline constexpr Names<Strategy, 3> kStrategies{
     {{"mis", Strategy::Mis}, {"lights", Strategy::Lights}, {"bsdf", Strategy::Bsdf}}};
 
+inline constexpr Names<LightChoiceBy, 3> kLightChoices{
+    {{"images", LightChoiceBy::Images},
+     {"contribution", LightChoiceBy::Contribution},
+     {"power", LightChoiceBy::Power}}};
+
+inline constexpr Names<SamplerKind, 2> kSamplers{
+    {{"sobol", SamplerKind::Sobol}, {"independent", SamplerKind::Independent}}};
+
 inline constexpr Names<ToneMap, 3> kToneMaps{
     {{"srgb", ToneMap::Srgb}, {"reinhard", ToneMap::Reinhard}, {"aces", ToneMap::Aces}}};
 

@@ -88,6 +88,8 @@ void read_render(const JsonCursor& cursor, RenderSettings& render) {
   fields.optional("maxDepth", render.max_depth);
   fields.optional("rouletteDepth", render.roulette_depth);
   fields.optional_name("strategy", kStrategies, render.strategy);
+  fields.optional_name("lightChoice", kLightChoices, render.light_choice);
+  fields.optional_name("sampler", kSamplers, render.sampler);
   fields.optional("seed", render.seed);
   fields.optional("snapshots", render.snapshots);
   if (fields.has("filter")) {

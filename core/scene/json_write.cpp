@@ -90,6 +90,8 @@ OrderedJson write_render(const RenderSettings& render) {
   put(json, "maxDepth", render.max_depth, assumed.max_depth);
   put(json, "rouletteDepth", render.roulette_depth, assumed.roulette_depth);
   put_name(json, "strategy", kStrategies, render.strategy, assumed.strategy);
+  put_name(json, "lightChoice", kLightChoices, render.light_choice, assumed.light_choice);
+  put_name(json, "sampler", kSamplers, render.sampler, assumed.sampler);
   put(json, "seed", render.seed, assumed.seed);
   OrderedJson filter = OrderedJson::object();
   put_name(filter, "type", kFilterKinds, render.filter, assumed.filter);

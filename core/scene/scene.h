@@ -225,6 +225,19 @@ enum class Strategy {
   Bsdf,    ///< paths' own rays only
 };
 
+/// Which light a point samples (core/lights/light_choice.h); all have the same mean.
+enum class LightChoiceBy {
+  Images,        ///< by contribution, images of the lights in plane mirrors included
+  Contribution,  ///< by what each light would bring to the point
+  Power,         ///< by emitted power, the same everywhere
+};
+
+/// Where the numbers of a sample come from.
+enum class SamplerKind {
+  Sobol,        ///< Owen-scrambled Sobol points
+  Independent,  ///< hashes: plain Monte Carlo, to measure the other against
+};
+
 struct RenderSettings {
   int width = 600;
   int height = 600;
@@ -234,6 +247,8 @@ struct RenderSettings {
   int max_depth = 50;      ///< path segments from the camera, >= 1
   int roulette_depth = 4;  ///< bounces before Russian roulette starts
   Strategy strategy = Strategy::Mis;
+  LightChoiceBy light_choice = LightChoiceBy::Images;
+  SamplerKind sampler = SamplerKind::Sobol;
   std::uint32_t seed = 0;
   FilterKind filter = FilterKind::Box;
   double filter_radius = 0.5;  ///< pixels; half the width

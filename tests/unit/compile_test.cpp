@@ -105,6 +105,11 @@ const std::vector<Edit>& edits() {
          s.render.strategy =
              s.render.strategy == Strategy::Lights ? Strategy::Bsdf : Strategy::Lights;
        }},
+      {"sampler", Change::None,
+       [](S s) {
+         s.render.sampler =
+             s.render.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol;
+       }},
       {"seed", Change::None, [](S s) { s.render.seed += 7; }},
       {"filter", Change::None,
        [](S s) {
@@ -262,6 +267,21 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
       {"triangles", [](S s) { s.objects[0].shape = TriangleShape{}; }},
       {"lens", [](S s) { s.camera.lens_radius = 0.1; }},
       {"lights", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
+      {"choice of lights",
+       [](S s) {
+         s.materials[0].emissive = glm::dvec3(1);
+         s.objects.resize(2, s.objects[0]);
+       }},
+      {"images in mirrors",
+       [](S s) {
+         s.materials.resize(2);
+         s.materials[0].emissive = glm::dvec3(1);
+         s.materials[1].kind = MaterialKind::Metal;
+         Object mirror;
+         mirror.shape = RectangleShape{{-1, -2, -1}, {2, 0, 0}, {0, 0, 2}};
+         mirror.material = 1;
+         s.objects.push_back(mirror);
+       }},
       {"environment", [](S s) { s.environment.color = glm::dvec3(1); }},
       {"media",
        [](S s) {
@@ -303,6 +323,29 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
     EXPECT_FALSE(used(*compile(with, KernelKind::Auto), c.feature))
         << c.feature << " of a hidden object";
   }
+}
+
+TEST(Compile, LightsAreChosenAsTheSceneAsks) {
+  Scene scene = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/cornell-three-lights.json");
+  scene.render.width = scene.render.height = 16;
+  const auto film_by = [&](LightChoiceBy choice) {
+    scene.render.light_choice = choice;
+    const auto compiled = compile(scene, KernelKind::Auto);
+    EXPECT_EQ(used(*compiled, "choice of lights"), choice != LightChoiceBy::Power);
+    EXPECT_EQ(used(*compiled, "images in mirrors"), choice == LightChoiceBy::Images);
+    return film_hash(*compiled);
+  };
+  const auto images = film_by(LightChoiceBy::Images),
+             contribution = film_by(LightChoiceBy::Contribution),
+             power = film_by(LightChoiceBy::Power);
+  EXPECT_NE(images, contribution);
+  EXPECT_NE(contribution, power);
+}
+
+// Judging each of many lights at every vertex would cost more than it gains.
+TEST(Compile, ManyLightsAreChosenByPower) {
+  const Scene many = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/features/many-lights.json");
+  EXPECT_FALSE(used(*compile(many, KernelKind::Auto), "choice of lights"));
 }
 
 TEST(Compile, WithBsdfSamplingAloneLightsAreNotSampled) {

@@ -285,7 +285,7 @@ TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
         }
         ++compared;
         EXPECT_EQ(a.light, b.light);
-        EXPECT_EQ(a.selection, b.selection);
+        EXPECT_NEAR(a.selection, b.selection, 1e-6);
         EXPECT_EQ(a.radiance == dvec3(0), b.radiance == dvec3(0));
         EXPECT_NEAR(glm::dot(a.direction, a.direction), 1, 1e-6);
         EXPECT_NEAR(b.pdf / a.pdf, 1, 1e-2) << name << " " << kernel_name(kind);

@@ -37,6 +37,8 @@ Scene full_scene(const TemporaryFolder& folder) {
   s.render.max_depth = 7;
   s.render.roulette_depth = 3;
   s.render.strategy = Strategy::Lights;
+  s.render.light_choice = LightChoiceBy::Contribution;
+  s.render.sampler = SamplerKind::Independent;
   s.render.seed = 4294967295U;
   s.render.filter = FilterKind::Gaussian;
   s.render.filter_radius = 1.5;
