@@ -96,6 +96,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.direct_candidates = p.lights->direct_candidates;
     v.candidate_count = v.direct_candidates;
     v.light_candidates = p.lights->candidates.data();
+    if (!p.lights->tree_child.empty()) {
+      v.light_nodes = p.lights->tree_rows.data();
+      v.light_children = p.lights->tree_child.data();
+      v.light_trail = p.lights->tree_trail.data();
+    }
   }
   if (choice == LightChoiceBy::Images) {
     v.candidate_count =

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/compile/light_candidates.h"
+#include "core/compile/light_tree.h"
 
 namespace lightbench {
 namespace {
@@ -172,7 +173,12 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
       small.push_back(l);
     }
   }
-  add_light_candidates(scene, geometry, *part);
+  const std::vector<Lamp> lamps = find_lamps(scene, geometry, *part);
+  if (lamps.size() > kMostCandidateLights) {
+    add_light_tree(lamps, *part);
+  } else {
+    add_light_candidates(scene, geometry, lamps, *part);
+  }
   return part;
 }
 

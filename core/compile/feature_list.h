@@ -21,6 +21,7 @@ std::vector<Feature> feature_list(const SceneView<T>& view) {
       {"lens", view.camera.lens_radius > T(0), "defocus blur"},
       {"lights", view.samples_lights, "next-event estimation"},
       {"choice of lights", view.candidate_count > 0, "by what each would bring to the point"},
+      {"light tree", view.light_nodes != nullptr, "the same for many lights, by clusters of them"},
       {"images in mirrors", view.mirror_count > 0, "lights sampled by way of plane mirrors"},
       {"environment", view.has_environment, "radiance from outside"},
       {"media", view.medium_count > 0, "free flights and transmittance"},

@@ -16,139 +16,6 @@ using glm::dvec3;
 using glm::length;
 using glm::normalize;
 
-/// More lights than this are chosen by power: each costs some nanoseconds at every vertex.
-constexpr std::size_t kMostDirect = 16;
-
-/// The numbers of a primitive's row, in double.
-template <class T>
-class Numbers {
- public:
-  explicit Numbers(const T* row) : row_(row) {}
-  double operator[](std::size_t i) const { return static_cast<double>(row_[i]); }
-  [[nodiscard]] dvec3 vec(std::size_t i) const {
-    return {(*this)[i], (*this)[i + 1], (*this)[i + 2]};
-  }
-  /// The columns of an affine map's linear part, and its translation.
-  [[nodiscard]] glm::dmat3 linear(std::size_t i) const {
-    return glm::transpose(glm::dmat3(vec(i), vec(i + 4), vec(i + 8)));
-  }
-  [[nodiscard]] dvec3 translation(std::size_t i) const {
-    return {(*this)[i + 3], (*this)[i + 7], (*this)[i + 11]};
-  }
-
- private:
-  const T* row_;
-};
-
-/// Where a light is, roughly: the points center + sum of c_k spread_k, |c| <= 1 (an ellipsoid or
-/// ellipse), or the hull of center + spread_k.
-struct Place {
-  dvec3 center{0};
-  dvec3 normal{0};  ///< of flat lights, towards the front
-  std::vector<dvec3> spread;
-  bool round = false;
-
-  /// How far it reaches along w from its center.
-  [[nodiscard]] double extent(const dvec3& w) const {
-    double most = 0, squares = 0;
-    for (const dvec3& s : spread) {
-      most = std::max(most, std::abs(dot(w, s)));
-      squares += dot(w, s) * dot(w, s);
-    }
-    return round ? std::sqrt(squares) : most;
-  }
-  [[nodiscard]] double radius() const {
-    double most = 0;
-    for (const dvec3& s : spread) most = std::max(most, length(s));
-    return most;
-  }
-};
-
-Place hull(std::initializer_list<dvec3> points) {
-  Place p;
-  for (const dvec3& q : points) p.center += q / static_cast<double>(points.size());
-  for (const dvec3& q : points) p.spread.push_back(q - p.center);
-  return p;
-}
-
-Place ellipsoid(const dvec3& center, std::initializer_list<dvec3> axes) {
-  return {center, dvec3(0), axes, true};
-}
-
-/// Of the primitive that the row describes; of a mesh, the triangle in `slot`.
-template <class T>
-Place place_of(const GeometryPart<T>& geometry, std::uint32_t primitive, std::uint32_t slot,
-               const MeshPart<T>* mesh) {
-  const Numbers<T> row(&geometry.rows[geometry.row[primitive]]);
-  switch (static_cast<PrimitiveKind>(geometry.kind[primitive])) {
-    case PrimitiveKind::Sphere: {
-      // Anywhere on its way.
-      const double r = row[3];
-      Place p = ellipsoid(row.vec(0) + 0.5 * row.vec(4), {{r, 0, 0}, {0, r, 0}, {0, 0, r}});
-      p.spread.push_back(0.5 * row.vec(4));
-      return p;
-    }
-    case PrimitiveKind::Ellipsoid: {
-      const glm::dmat3 m = row.linear(12);
-      Place p = ellipsoid(row.translation(12) + 0.5 * row.vec(24), {m[0], m[1], m[2]});
-      p.spread.push_back(0.5 * row.vec(24));
-      return p;
-    }
-    case PrimitiveKind::Cylinder: {
-      const dvec3 axis = row.vec(3), across = row.vec(6);
-      return ellipsoid(row.vec(0),
-                       {axis * row[9], across * row[10], cross(axis, across) * row[10]});
-    }
-    case PrimitiveKind::EllipticCylinder: {
-      const glm::dmat3 m = row.linear(12);
-      return ellipsoid(row.translation(12), {m[0], m[1], m[2]});
-    }
-    case PrimitiveKind::Disc: {
-      Place p = ellipsoid(row.vec(0), {row.vec(6), row.vec(9)});
-      p.normal = row.vec(3);
-      return p;
-    }
-    case PrimitiveKind::Rectangle: {
-      const dvec3 o = row.vec(0), u = row.vec(6), v = row.vec(9);
-      Place p = hull({o, o + u, o + u + v, o + v});
-      p.normal = row.vec(3);
-      return p;
-    }
-    case PrimitiveKind::Triangle: {
-      const dvec3 a = row.vec(0), b = row.vec(3), c = row.vec(6);
-      Place p = hull({a, b, c});
-      p.normal = normalize(cross(b - a, c - a)) * row[9];
-      return p;
-    }
-    case PrimitiveKind::Pyramid: {
-      const dvec3 o = row.vec(0);
-      return hull({o, o + row.vec(3), o + row.vec(6), o + row.vec(9)});
-    }
-    case PrimitiveKind::Box: {
-      const dvec3 o = row.vec(0), x = row.vec(3) * row[12], y = row.vec(6) * row[13],
-                  z = row.vec(9) * row[14];
-      return hull({o + x + y + z, o + x + y - z, o + x - y + z, o + x - y - z, o - x + y + z,
-                   o - x + y - z, o - x - y + z, o - x - y - z});
-    }
-    case PrimitiveKind::Mesh:
-      break;
-  }
-  dvec3 v[3];
-  const glm::dmat3 linear = row.linear(12);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& block = mesh->blocks[slot / kBvhWidth];
-    const auto at = [&](std::size_t k) {
-      return static_cast<double>(block.v[3 * i + k][slot % kBvhWidth]);
-    };
-    v[i] = linear * dvec3(at(0), at(1), at(2)) + row.translation(12);
-  }
-  Place p = hull({v[0], v[1], v[2]});
-  // The front follows the winding in object space.
-  const double handed = glm::determinant(linear) < 0 ? -1 : 1;
-  p.normal = normalize(cross(v[1] - v[0], v[2] - v[0])) * handed;
-  return p;
-}
-
 struct MirrorFace {
   dvec3 n, origin, u, v;
   MirrorOutline outline;
@@ -228,12 +95,6 @@ std::vector<MirrorFace> mirror_faces(const Scene& scene, const GeometryPart<T>& 
   return faces;
 }
 
-struct Lamp {
-  Place place;
-  double weight;
-  bool two_sided;
-};
-
 /// Whether light of the lamp can fall on the front of the face.
 bool can_light(const Lamp& lamp, const MirrorFace& face) {
   const double height = dot(face.n, lamp.place.center - face.origin);
@@ -248,7 +109,7 @@ bool can_light(const Lamp& lamp, const MirrorFace& face) {
 template <class T>
 void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* face, int mirror,
                       std::vector<T>& rows) {
-  const Place& p = lamp.place;
+  const LightPlacement& p = lamp.place;
   dvec3 center = p.center, normal = p.normal, window(0), extent(0);
   double weight = lamp.weight;
   if (face != nullptr) {
@@ -296,29 +157,8 @@ void append_mirror(const MirrorFace& face, T offset, std::vector<T>& rows) {
 
 template <class T>
 void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
-                          LightPart<T>& lights) {
-  const std::size_t count = lights.primitive.size();
-  if (count == 0 || count > kMostDirect) return;
-  std::vector<Lamp> lamps;
-  for (std::size_t l = 0; l < count; ++l) {
-    const std::uint32_t i = lights.primitive[l];
-    const Object& o = scene.objects[static_cast<std::size_t>(geometry.object[i])];
-    const Material& m = scene.materials[static_cast<std::size_t>(o.material)];
-    const auto* mesh = std::get_if<MeshShape>(&o.shape);
-    const MeshPart<T>* part =
-        mesh == nullptr ? nullptr : geometry.meshes[static_cast<std::size_t>(mesh->mesh)].get();
-    // Slots of a mesh that hold no triangle shine with no power and have no place.
-    const bool empty = part != nullptr && part->slot_triangle[lights.slot[l]] == Bvh::kPadding;
-    Lamp lamp{empty ? ellipsoid(dvec3(0), {dvec3(1)}) : place_of(geometry, i, lights.slot[l], part),
-              static_cast<double>(lights.pmf[l]), m.two_sided};
-    // The power of both sides, of all around; a point sees one side, a quarter of a convex solid.
-    if (lamp.place.normal == dvec3(0)) {
-      lamp.weight *= m.two_sided ? 0.125 : 0.25;
-    } else if (m.two_sided) {
-      lamp.weight *= 0.5;
-    }
-    lamps.push_back(std::move(lamp));
-  }
+                          const std::vector<Lamp>& lamps, LightPart<T>& lights) {
+  const std::size_t count = lamps.size();
   const auto light_index = [](std::size_t l) { return static_cast<std::uint32_t>(l); };
   for (std::size_t l = 0; l < count; ++l) {
     append_candidate(lamps[l], light_index(l), nullptr, -1, lights.candidates);
@@ -357,7 +197,9 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
   }
 }
 
-template void add_light_candidates(const Scene&, const GeometryPart<float>&, LightPart<float>&);
-template void add_light_candidates(const Scene&, const GeometryPart<double>&, LightPart<double>&);
+template void add_light_candidates(const Scene&, const GeometryPart<float>&,
+                                   const std::vector<Lamp>&, LightPart<float>&);
+template void add_light_candidates(const Scene&, const GeometryPart<double>&,
+                                   const std::vector<Lamp>&, LightPart<double>&);
 
 }  // namespace lightbench

@@ -2,15 +2,19 @@
 // What points choose between by contribution (core/lights/light_choice.h): the lights of a scene
 // that has few, and their images in its plane mirrors.
 
+#include "core/compile/light_place.h"
 #include "core/compile/parts.h"
 #include "core/scene/scene.h"
 
 namespace lightbench {
 
-/// Fills the candidates of `lights`, whose lights are known; none where the choice by power is as
-/// good (one light and no mirror) or too many would have to be judged at every vertex.
+/// More lights than this are chosen by a tree: each costs some nanoseconds at every vertex.
+inline constexpr std::size_t kMostCandidateLights = 16;
+
+/// Fills the candidates of `lights`, kMostCandidateLights at most; none where there is nothing to
+/// choose (one light and no mirror).
 template <class T>
 void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
-                          LightPart<T>& lights);
+                          const std::vector<Lamp>& lamps, LightPart<T>& lights);
 
 }  // namespace lightbench

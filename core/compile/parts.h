@@ -63,6 +63,9 @@ struct LightPart {
   std::uint32_t direct_candidates = 0;
   std::vector<T> candidates, mirrors;
   std::vector<std::uint32_t> mirror_end, image_candidate;
+  // By a tree (core/compile/light_tree.h).
+  std::vector<T> tree_rows;
+  std::vector<std::uint32_t> tree_child, tree_trail;
 };
 
 template <class T>

@@ -133,18 +133,15 @@ template <class Watch>
                                                const Frame& frame, Int dimension_base, Mask active,
                                                Paths& paths, Counters& counters, Watch& watch) {
   const Int random = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x;
-  LightChoice chosen;
-  if (scene.candidate_count > 0) {
-    const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n)};
-    Real scale;
-    chosen = choose_by_contribution(scene, at, random, scale);
+  const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n)};
+  Real scale;
+  const LightChoice chosen = choose_light(scene, at, random, active, scale);
+  if (point_chooses(scene)) {
     paths.choice_scale = select(active, scale, paths.choice_scale);
     paths.chosen_from = select(active, at.p, paths.chosen_from);
     paths.chosen_n = select(active, at.n, paths.chosen_n);
     active = active && chosen.pmf > Real(0);
     if (none(active)) return;
-  } else {
-    chosen = choose_by_power(scene, random);
   }
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
@@ -292,10 +289,8 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
     const Mask own =
         known && !mirrored_lanes && hit.primitive == paths.ray.from && paths.ray.inside;
     of_shape = select(own && !mesh, Real(kPdfSphere), of_shape);
-    const Real pmf = scene.candidate_count > 0
-                         ? pmf_by_contribution(scene, {paths.chosen_from, paths.chosen_n}, light,
-                                               paths.mirror, paths.choice_scale, known)
-                         : gather(scene.light_pmf, light);
+    const Real pmf = pmf_of_light(scene, {paths.chosen_from, paths.chosen_n}, light, paths.mirror,
+                                  paths.choice_scale, known);
     const Real pdf = pmf * of_shape;
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.
     const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)

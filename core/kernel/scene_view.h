@@ -38,6 +38,9 @@ inline constexpr unsigned kMaxLightCandidates = 32;
 inline constexpr unsigned kLightCandidateStride = 17;
 inline constexpr unsigned kMirrorStride = 18;
 inline constexpr std::uint32_t kNoMirror = 0xffffffffU;
+inline constexpr unsigned kLightNodeStride = 10;
+inline constexpr std::uint32_t kLightLeaf = 0x80000000U;
+inline constexpr std::uint32_t kNoTrail = 0xffffffffU;
 enum class MirrorOutline : std::uint32_t { Parallelogram, Triangle, Disc };
 /// Numbers in a mesh's row before the index of the mesh.
 inline constexpr unsigned kMeshRow = 24;
@@ -127,6 +130,11 @@ struct SceneView {
   const std::uint32_t* mirror_end = nullptr;  ///< past the last candidate of each mirror
   /// Candidate of each mirror and light (mirror * light_count + light), kNoLight for none.
   const std::uint32_t* image_candidate = nullptr;
+
+  // By a tree instead, where there are many lights (core/lights/light_tree.h).
+  const T* light_nodes = nullptr;
+  const std::uint32_t* light_children = nullptr;  ///< first of two, or kLightLeaf | light
+  const std::uint32_t* light_trail = nullptr;     ///< turns from the root to each light
 
   std::uint32_t medium_count = 0;
   const MediumView<T>* media = nullptr;

@@ -1,23 +1,19 @@
 #pragma once
 // Which light a point samples. Where the scene has few lights, in proportion to an estimate of what
 // each would bring to that very point; and then the images of the lights in plane mirrors are
-// lights too. Where it has many (or one), in proportion to their power by an alias table.
+// lights too. Where it has many, by the same estimate of whole clusters of them
+// (core/lights/light_tree.h). One light alone needs no choice; an alias table by power serves it.
 //
 // The estimate only has to be positive where it matters: the probability that it leads to takes
 // part in the weights of multiple importance sampling, so a light judged 0 is left to the paths'
 // own rays.
 
+#include "core/lights/chooser.h"
+#include "core/lights/light_tree.h"
 #include "core/lights/mirror.h"
 #include "core/sampling/sobol.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-/// What a light sampler chose; `mirror` is kNoMirror for the light itself. pmf is 0 where nothing
-/// can be chosen.
-struct LightChoice {
-  Int light, mirror;
-  Real pmf;
-};
 
 /// By power: 32 random bits; scene.light_count > 0.
 inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
@@ -29,11 +25,6 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
   return {light, Int(kNoMirror), gather(scene.light_pmf, light)};
 }
 
-/// The point that chooses; n is 0 in a medium, which looks all around.
-struct Chooser {
-  Vec p, n;
-};
-
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
 /// for factors common to all. `c` reads a row (Row or LaneRow):
 ///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
@@ -44,11 +35,8 @@ inline Real contribution(const auto& c, const Chooser& at) {
   const Vec d = c.vec(0) - at.p;
   const Real r = c[6], rr = r * r;
   const Real d2 = max(length_squared(d), rr * T(1e-4));
-  const Real s = dot(at.n, d);
-  const Real above = clamp(s + r, Real(0), r + r);
   const Real distance = sqrt(d2);
-  const Real receiver = select(length_squared(at.n) > Real(0),
-                               fma(above * above, T(0.25) / r, max(s - r, Real(0))), distance);
+  const Real receiver = clipped_height(at, d, r, distance);
   const Vec n = c.vec(3);
   const Mask flat = length_squared(n) > Real(0);
   Real height = -dot(n, d);
@@ -135,6 +123,31 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
     value = select(seen, value * share_in_window(m, place_before(m, at.p), row), value);
   }
   return select(known, value * scale, Real(0));
+}
+
+/// True where the choice depends on the point, which paths then remember.
+inline bool point_chooses(const SceneView<T>& scene) {
+  return scene.candidate_count > 0 || scene.light_nodes != nullptr;
+}
+
+/// The scene's way of choosing, by 32 random bits; the scene must have lights. `scale` is what
+/// pmf_of_light() wants to know of the choice.
+inline LightChoice choose_light(const SceneView<T>& scene, const Chooser& at, Int random,
+                                Mask active, Real& scale) {
+  scale = Real(1);
+  if (scene.candidate_count > 0) return choose_by_contribution(scene, at, random, scale);
+  if (scene.light_nodes != nullptr) return choose_by_tree(scene, at, random, active);
+  return choose_by_power(scene, random);
+}
+
+/// Probability with which the point chose, or would have chosen, `light` in `mirror` (kNoMirror for
+/// itself); 0 where !active.
+inline Real pmf_of_light(const SceneView<T>& scene, const Chooser& at, Int light, Int mirror,
+                         Real scale, Mask active) {
+  if (scene.candidate_count > 0)
+    return pmf_by_contribution(scene, at, light, mirror, scale, active);
+  if (scene.light_nodes != nullptr) return pmf_by_tree(scene, at, light, active);
+  return select(active, gather(scene.light_pmf, select(active, light, Int(0U))), Real(0));
 }
 
 LIGHTBENCH_KERNEL_END

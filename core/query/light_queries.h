@@ -24,21 +24,21 @@ inline void put_light_points(const Batch& batch, Mask valid, Int light, const Li
 
 /// Probability with which each point chooses its light; images in mirrors have the rest.
 inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light, Mask active) {
-  if (scene.candidate_count == 0) return gather(scene.light_pmf, select(active, light, Int(0U)));
-  const Real total = contributions(scene, at).total;
-  const Real scale = select(total > Real(0), Real(1) / total, Real(0));
-  return pmf_by_contribution(scene, at, select(active, light, Int(0U)), Int(kNoMirror), scale,
-                             active);
+  Real scale(1);
+  if (scene.candidate_count > 0) {
+    const Real total = contributions(scene, at).total;
+    scale = select(total > Real(0), Real(1) / total, Real(0));
+  }
+  return pmf_of_light(scene, at, select(active, light, Int(0U)), Int(kNoMirror), scale, active);
 }
 
 /// A light for each point: as the path tracer chooses, but for images in mirrors.
-inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random) {
-  if (scene.candidate_count == 0) return choose_by_power(scene, random).light;
+inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random, Mask active) {
   SceneView<T> direct = scene;
   direct.candidate_count = scene.direct_candidates;
   direct.mirror_count = 0;
   Real scale;
-  return choose_by_contribution(direct, at, random, scale).light;
+  return choose_light(direct, at, random, active, scale).light;
 }
 
 inline void sample_light_points(const SceneView<T>& scene,
@@ -52,7 +52,8 @@ inline void sample_light_points(const SceneView<T>& scene,
     const Int choice = batch.integer([&](std::size_t i) { return queries[i].choice; });
     const Int named = batch.integer([&](std::size_t i) { return queries[i].light; });
     const Chooser at{from, batch.vec([&](std::size_t i) { return queries[i].n; })};
-    const Int light = select(named == Int(kNoLight), choose_lights(scene, at, choice), named);
+    const Int light =
+        select(named == Int(kNoLight), choose_lights(scene, at, choice, batch.active()), named);
     const LightPlace place = place_of(scene, light);
     const LightSample s = sample_light(scene, place, from, time, u, batch.active());
     const Vec radiance = light_radiance(scene, place, s, probe_ray(from, s.d, time));

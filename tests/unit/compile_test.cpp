@@ -272,6 +272,11 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          s.materials[0].emissive = glm::dvec3(1);
          s.objects.resize(2, s.objects[0]);
        }},
+      {"light tree",
+       [](S s) {
+         s.materials[0].emissive = glm::dvec3(1);
+         s.objects.resize(17, s.objects[0]);
+       }},
       {"images in mirrors",
        [](S s) {
          s.materials.resize(2);
@@ -343,9 +348,13 @@ TEST(Compile, LightsAreChosenAsTheSceneAsks) {
 }
 
 // Judging each of many lights at every vertex would cost more than it gains.
-TEST(Compile, ManyLightsAreChosenByPower) {
-  const Scene many = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/features/many-lights.json");
-  EXPECT_FALSE(used(*compile(many, KernelKind::Auto), "choice of lights"));
+TEST(Compile, ManyLightsAreChosenByATree) {
+  Scene many = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/features/many-lights.json");
+  const auto tree = compile(many, KernelKind::Auto);
+  EXPECT_FALSE(used(*tree, "choice of lights"));
+  EXPECT_TRUE(used(*tree, "light tree"));
+  many.render.light_choice = LightChoiceBy::Power;
+  EXPECT_FALSE(used(*compile(many, KernelKind::Auto), "light tree"));
 }
 
 TEST(Compile, WithBsdfSamplingAloneLightsAreNotSampled) {
