@@ -1,64 +1,11 @@
 #pragma once
-// One ray against a mesh: its own space, its BVH, eight triangles at a time.
+// One ray against a mesh: in the mesh's own space, eight triangles at a time.
 
 #include "core/accel/bvh_walk.h"
 #include "core/shapes/mesh.h"
+#include "core/shapes/triangle.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-/// Distance and triangle of a mesh's nearest hit in (t_min, t).
-struct MeshHit {
-  T t;
-  std::uint32_t slot;
-  T b1, b2;
-  bool found, front;
-};
-
-/// Ray (already in the mesh's space) against a mesh. Skips the triangles named by from_slot and
-/// skip_slot (kNoHit for none).
-template <bool kShadow>
-MeshHit hit_mesh(const MeshView<T>& mesh, const SingleRay& ray, T t_min, T t_max) {
-  // Largest component of the direction last, as Woop's shear wants.
-  const T ax = ray.d[0] < 0 ? -ray.d[0] : ray.d[0], ay = ray.d[1] < 0 ? -ray.d[1] : ray.d[1];
-  const T az = ray.d[2] < 0 ? -ray.d[2] : ray.d[2];
-  const unsigned z = ax >= ay && ax >= az ? 0U : (ay >= az ? 1U : 2U);
-  const unsigned x = (z + 1) % 3, y = (z + 2) % 3;
-  const T sz = T(1) / ray.d[z], sx = ray.d[x] * sz, sy = ray.d[y] * sz;
-  MeshHit best{t_max, kNoHit, 0, 0, false, false};
-  walk(mesh.nodes, nullptr, ray, best.t, [&](std::uint32_t child) {
-    const std::uint32_t first_block = leaf_first(child);
-    for (std::uint32_t b = first_block; b < first_block + leaf_count(child); ++b) {
-      const TriangleBlock<T>& block = mesh.blocks[b];
-      for (int k = 0; k < kBvhWidth; k += kLanes) {
-        const auto vertex = [&](unsigned i) {
-          return Vec{load_of_8(block.v[3 * i + x] + k) - Real(ray.o[x]),
-                     load_of_8(block.v[3 * i + y] + k) - Real(ray.o[y]),
-                     load_of_8(block.v[3 * i + z] + k) - Real(ray.o[z])};
-        };
-        const TriangleHit h =
-            hit_sheared(vertex(0), vertex(1), vertex(2), Real(sx), Real(sy), Real(sz));
-        std::uint32_t m = bits(h.hit && h.t > Real(t_min) && h.t <= Real(best.t));
-        m &= (1U << (kBvhWidth - k)) - 1U;
-        if (m == 0) continue;
-        alignas(64) T ts[kLanes], b1[kLanes], b2[kLanes];
-        store(ts, h.t);
-        store(b1, h.b1);
-        store(b2, h.b2);
-        for (; m != 0; m &= m - 1) {
-          const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-          const std::uint32_t slot = b * kBvhWidth + static_cast<unsigned>(k) + lane;
-          if (slot == ray.from_slot || slot == ray.skip_slot) continue;
-          if (ts[lane] < best.t || (ts[lane] == best.t && slot < best.slot)) {
-            best = {ts[lane], slot, b1[lane], b2[lane], true, false};
-            if (kShadow) return true;
-          }
-        }
-      }
-    }
-    return false;
-  });
-  return best;
-}
 
 /// The ray in the space of mesh instance i.
 inline SingleRay to_mesh_space(const SceneView<T>& scene, std::uint32_t i, const SingleRay& ray) {
@@ -72,6 +19,104 @@ inline SingleRay to_mesh_space(const SceneView<T>& scene, std::uint32_t i, const
   r.from_slot = ray.from == i ? ray.from_slot : kNoHit;
   r.skip_slot = ray.skip == i ? ray.skip_slot : kNoHit;
   return r;
+}
+
+/// The same in all lanes, to the same bits.
+inline Ray to_mesh_space(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
+  const T* m = scene.rows + scene.row[i];
+  const auto along = [m](unsigned a, Vec v) {
+    return Real(m[4 * a]) * v.x + Real(m[4 * a + 1]) * v.y + Real(m[4 * a + 2]) * v.z;
+  };
+  Ray r = ray;
+  r.o = {along(0, ray.o) + Real(m[3]), along(1, ray.o) + Real(m[7]), along(2, ray.o) + Real(m[11])};
+  r.d = {along(0, ray.d), along(1, ray.d), along(2, ray.d)};
+  r.from_slot = select(ray.from == Int(i), ray.from_slot, Int(kNoHit));
+  r.skip_slot = select(ray.skip == Int(i), ray.skip_slot, Int(kNoHit));
+  return r;
+}
+
+/// What the triangle tests need of a ray in a mesh's space: the largest component of its direction
+/// is z, as Woop's shear wants.
+struct MeshRay {
+  unsigned x, y, z;
+  T o[3];  ///< in that order
+  T sx, sy, sz;
+  std::uint32_t from_slot, skip_slot;  ///< triangles that it cannot meet, kNoHit for none
+  const TriangleBlock<T>* blocks;
+};
+
+inline MeshRay mesh_ray(const SingleRay& ray, const MeshView<T>& mesh) {
+  const T ax = ray.d[0] < 0 ? -ray.d[0] : ray.d[0], ay = ray.d[1] < 0 ? -ray.d[1] : ray.d[1];
+  const T az = ray.d[2] < 0 ? -ray.d[2] : ray.d[2];
+  MeshRay r;
+  r.z = ax >= ay && ax >= az ? 0U : (ay >= az ? 1U : 2U);
+  r.x = (r.z + 1) % 3;
+  r.y = (r.z + 2) % 3;
+  r.o[0] = ray.o[r.x];
+  r.o[1] = ray.o[r.y];
+  r.o[2] = ray.o[r.z];
+  r.sz = T(1) / ray.d[r.z];
+  r.sx = ray.d[r.x] * r.sz;
+  r.sy = ray.d[r.y] * r.sz;
+  r.from_slot = ray.from_slot;
+  r.skip_slot = ray.skip_slot;
+  r.blocks = mesh.blocks;
+  return r;
+}
+
+/// Calls hit(t, slot, b1, b2) for each triangle of block b that the ray meets in (t_min, t_max].
+template <class F>
+void hit_block(const MeshRay& ray, std::uint32_t b, T t_min, T t_max, F hit) {
+  const TriangleBlock<T>& block = ray.blocks[b];
+  for (unsigned column = 0; column < kBvhWidth; column += kPart) {
+    const auto vertex = [&](unsigned i) {
+      return ShearedVertex<Part>{load_part(block.v[3 * i + ray.x] + column) - Part(ray.o[0]),
+                                 load_part(block.v[3 * i + ray.y] + column) - Part(ray.o[1]),
+                                 load_part(block.v[3 * i + ray.z] + column) - Part(ray.o[2])};
+    };
+    const ShearedHit<Part> h =
+        hit_sheared(vertex(0), vertex(1), vertex(2), Part(ray.sx), Part(ray.sy), Part(ray.sz));
+    std::uint32_t m = bits(h.hit && h.t > Part(t_min) && h.t <= Part(t_max));
+    if (m == 0) continue;
+    alignas(64) T t[kPart], b1[kPart], b2[kPart];
+    store(t, h.t);
+    store(b1, h.b1);
+    store(b2, h.b2);
+    for (; m != 0; m &= m - 1) {
+      const auto k = static_cast<unsigned>(__builtin_ctz(m));
+      const std::uint32_t slot = b * kBvhWidth + column + k;
+      if (slot != ray.from_slot && slot != ray.skip_slot) hit(t[k], slot, b1[k], b2[k]);
+    }
+  }
+}
+
+/// Distance and triangle of a mesh's nearest hit in (t_min, t_max].
+struct MeshHit {
+  T t;
+  std::uint32_t slot;
+  bool found;
+};
+
+/// Ray (already in the mesh's space) against a mesh alone.
+inline MeshHit hit_mesh(const MeshView<T>& mesh, const SingleRay& ray, T t_min, T t_max) {
+  const BvhRay boxes = bvh_ray(ray, mesh.nodes, nullptr);
+  const MeshRay triangles = mesh_ray(ray, mesh);
+  MeshHit best{t_max, kNoHit, false};
+  BvhStack stack;
+  visit_node(boxes, 0, t_max, stack);
+  while (stack.size > 0) {
+    --stack.size;
+    if (stack.key[stack.size] > key_limit(best.t)) continue;
+    const std::uint32_t child = stack.child[stack.size];
+    if (!is_leaf(child)) {
+      visit_node(boxes, child, best.t, stack);
+      continue;
+    }
+    hit_block(triangles, leaf_first(child), t_min, best.t, [&](T t, std::uint32_t slot, T, T) {
+      if (t < best.t || (t == best.t && slot < best.slot)) best = {t, slot, true};
+    });
+  }
+  return best;
 }
 
 LIGHTBENCH_KERNEL_END

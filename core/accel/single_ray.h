@@ -15,7 +15,7 @@ struct SingleRay {
 
 /// All lanes' rays as plain numbers.
 struct RayTable {
-  alignas(64) T o[3][kLanes], d[3][kLanes], time[kLanes];
+  alignas(64) T o[3][kLanes], d[3][kLanes], inverse[3][kLanes], time[kLanes];
   alignas(64) std::uint32_t from[kLanes], from_slot[kLanes], skip[kLanes], skip_slot[kLanes];
   std::uint32_t inside, skip_back;
   explicit RayTable(const Ray& r) : inside(bits(r.inside)), skip_back(bits(r.skip_back)) {
@@ -25,6 +25,9 @@ struct RayTable {
     store(d[0], r.d.x);
     store(d[1], r.d.y);
     store(d[2], r.d.z);
+    store(inverse[0], Real(1) / r.d.x);
+    store(inverse[1], Real(1) / r.d.y);
+    store(inverse[2], Real(1) / r.d.z);
     store(time, r.time);
     store(from, r.from);
     store(from_slot, r.from_slot);
@@ -36,7 +39,7 @@ struct RayTable {
     for (unsigned a = 0; a < 3; ++a) {
       s.o[a] = o[a][lane];
       s.d[a] = d[a][lane];
-      s.inverse[a] = T(1) / s.d[a];
+      s.inverse[a] = inverse[a][lane];
     }
     s.time = time[lane];
     s.from = from[lane];

@@ -58,11 +58,6 @@ inline Real load(const T* p) { return *p; }
 #ifdef LIGHTBENCH_DOUBLE
 inline Real load(const float* p) { return static_cast<Real>(*p); }
 #endif
-/// Of eight numbers at p the first kLanes.
-template <class Number>
-Real load_of_8(const Number* p) {
-  return load(p);
-}
 inline Int load(const std::uint32_t* p) { return *p; }
 inline void store(T* p, Real a) { *p = a; }
 inline void store(std::uint32_t* p, Int a) { *p = a; }

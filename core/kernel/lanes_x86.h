@@ -165,14 +165,6 @@ inline Int to_int(Real a) { return Int(IntLanes(LB_INTRINSIC(cvttps_epi32)(a.v))
 /// Uniform in [0,1) from 32 random bits; the top 24 only, so that it never rounds to 1.
 inline Real unit_from_bits(Int a) { return to_real(a >> 8) * 0x1p-24F; }
 inline Real load(const float* p) { return Real(RealLanes(LB_INTRINSIC(loadu_ps)(p))); }
-/// Of eight numbers at p the first kLanes; lanes beyond the eighth hold 0 and read nothing.
-inline Real load_of_8(const float* p) {
-#if LIGHTBENCH_LANES == 16
-  return Real(RealLanes(_mm512_zextps256_ps512(_mm256_loadu_ps(p))));
-#else
-  return load(p);
-#endif
-}
 inline void store(float* p, Real a) { LB_INTRINSIC(storeu_ps)(p, a.v); }
 
 /// Lane 0.

@@ -155,11 +155,6 @@ inline Int gather(const std::uint32_t* table, Int index) {
 }
 inline Int load(const std::uint32_t* p) { return Int(IntLanes(load_register(p))); }
 inline Real load(const double* p) { return Real(RealLanes(LB_REAL_INTRINSIC(loadu_pd)(p))); }
-/// Of eight numbers at p the first kLanes.
-template <class Number>
-Real load_of_8(const Number* p) {
-  return load(p);
-}
 inline void store(double* p, Real a) { LB_REAL_INTRINSIC(storeu_pd)(p, a.v); }
 
 // Ordered so that a NaN in `a` loses: both return `b` then.

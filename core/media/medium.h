@@ -18,7 +18,7 @@ void mesh_stretches(const SceneView<T>& scene, std::uint32_t i, const SingleRay&
   const MeshView<T>& mesh = mesh_of(scene, i);
   T from = 0;
   while (true) {
-    const MeshHit h = hit_mesh<false>(mesh, ray, from, T(kInfinity));
+    const MeshHit h = hit_mesh(mesh, ray, from, T(kInfinity));
     if (!h.found) return;
     const TriangleBlock<T>& block = mesh.blocks[h.slot / kBvhWidth];
     const std::uint32_t c = h.slot % kBvhWidth;

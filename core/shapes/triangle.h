@@ -17,37 +17,46 @@ inline Triangle triangle_at(const auto& row) {
   return {row.vec(0), row.vec(3), row.vec(6), row[9]};
 }
 
-/// Hit with barycentrics of the vertices b and c.
-struct TriangleHit {
-  Real t, b1, b2;
-  Mask hit;
+/// Hit with barycentrics of the vertices b and c; a mask as wide as the numbers.
+template <class R>
+struct ShearedHit {
+  R t, b1, b2;
+  decltype(R() < R()) hit;
+};
+using TriangleHit = ShearedHit<Real>;
+
+/// A vertex relative to the ray's origin, axes permuted so that z is the direction's largest.
+template <class R>
+struct ShearedVertex {
+  R x, y, z;
 };
 
-/// Vertices relative to the ray's origin, axes permuted so that z is the direction's largest, (sx,
-/// sy, sz) = (dx, dy, 1) / dz. Edges are inclusive: a shared edge belongs to both triangles.
-inline TriangleHit hit_sheared(Vec a, Vec b, Vec c, Real sx, Real sy, Real sz) {
-  const Real ax = a.x - sx * a.z, ay = a.y - sy * a.z;
-  const Real bx = b.x - sx * b.z, by = b.y - sy * b.z;
-  const Real cx = c.x - sx * c.z, cy = c.y - sy * c.z;
-  const Real u = cx * by - cy * bx;
-  const Real v = ax * cy - ay * cx;
-  const Real w = bx * ay - by * ax;
-  const Mask all_positive = u >= Real(0) && v >= Real(0) && w >= Real(0);
-  const Mask all_negative = u <= Real(0) && v <= Real(0) && w <= Real(0);
-  const Real det = u + v + w;
-  Mask hit = (all_positive || all_negative) && det != Real(0);
+/// (sx, sy, sz) = (dx, dy, 1) / dz. Edges are inclusive: a shared edge belongs to both triangles.
+template <class R>
+ShearedHit<R> hit_sheared(const ShearedVertex<R>& a, const ShearedVertex<R>& b,
+                          const ShearedVertex<R>& c, const R& sx, const R& sy, const R& sz) {
+  const R ax = a.x - sx * a.z, ay = a.y - sy * a.z;
+  const R bx = b.x - sx * b.z, by = b.y - sy * b.z;
+  const R cx = c.x - sx * c.z, cy = c.y - sy * c.z;
+  const R u = cx * by - cy * bx;
+  const R v = ax * cy - ay * cx;
+  const R w = bx * ay - by * ax;
+  const auto all_positive = u >= R(0) && v >= R(0) && w >= R(0);
+  const auto all_negative = u <= R(0) && v <= R(0) && w <= R(0);
+  const R det = u + v + w;
+  auto hit = (all_positive || all_negative) && det != R(0);
   // Rounding keeps the order of the two products, so an edge function can lose its sign but not
   // change it: a triangle that holds the ray is never lost, and one that does not is found only
   // where a function is 0. Seen edge-on two of them can be, however far beside the ray it lies.
-  const Mask doubtful = hit && (u == Real(0) || v == Real(0) || w == Real(0));
+  const auto doubtful = hit && (u == R(0) || v == R(0) || w == R(0));
   if (any(doubtful)) {
-    const auto around = [](Real p, Real q, Real r) {
-      return min(p, min(q, r)) <= Real(0) && max(p, max(q, r)) >= Real(0);
+    const auto around = [](const R& p, const R& q, const R& r) {
+      return min(p, min(q, r)) <= R(0) && max(p, max(q, r)) >= R(0);
     };
     hit = hit && (!doubtful || (around(ax, bx, cx) && around(ay, by, cy)));
   }
-  const Real inverse = Real(1) / select(hit, det, Real(1));
-  const Real t = (u * (sz * a.z) + v * (sz * b.z) + w * (sz * c.z)) * inverse;
+  const R inverse = R(1) / select(hit, det, R(1));
+  const R t = (u * (sz * a.z) + v * (sz * b.z) + w * (sz * c.z)) * inverse;
   return {t, v * inverse, w * inverse, hit};
 }
 
@@ -73,8 +82,11 @@ struct Shear {
 
 inline TriangleHit hit_triangle(const Triangle& s, const Ray& ray) {
   const Shear shear(ray.d);
-  return hit_sheared(shear.permute(s.a - ray.o), shear.permute(s.b - ray.o),
-                     shear.permute(s.c - ray.o), shear.sx, shear.sy, shear.sz);
+  const auto vertex = [&](Vec v) {
+    const Vec p = shear.permute(v - ray.o);
+    return ShearedVertex<Real>{p.x, p.y, p.z};
+  };
+  return hit_sheared(vertex(s.a), vertex(s.b), vertex(s.c), shear.sx, shear.sy, shear.sz);
 }
 
 /// Of the barycentrics, in one step. Larger ones are rounding themselves: the ray all but lies in
