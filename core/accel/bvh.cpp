@@ -5,16 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/accel/bvh_binary.h"
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace lightbench {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
-constexpr int kBins = 16;
-constexpr int kMaxSahDepth = 48;  // below it halves, so that the tracer's stack is never exceeded
-
-BvhBox empty_box() { return {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}}; }
 
 void grow(BvhBox& a, const BvhBox& b) {
   for (int k = 0; k < 3; ++k) {
@@ -23,246 +21,188 @@ void grow(BvhBox& a, const BvhBox& b) {
   }
 }
 
-float half_area(const BvhBox& b) {
-  const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
-  return x < 0 ? 0 : x * y + y * z + z * x;
-}
-
-struct BinaryNode {
-  BvhBox start, end, whole;
-  int left = -1, right = -1;
-  std::uint32_t first = 0, count = 0;
-};
-
-class Builder {
+/// Which binary nodes become wide ones and which are opened into their parents' slots: the choice
+/// of least expected cost, found from the leaves up (the recurrence of Ylitie, Karras, Laine, HPG
+/// 2017, with leaves given).
+class Collapse {
  public:
-  Builder(std::span<const BvhBox> start, std::span<const BvhBox> end, BvhLeaf leaf)
-      : start_(start), end_(end), leaf_(leaf), order_(start.size()), centers_(start.size()) {
-    for (std::uint32_t i = 0; i < order_.size(); ++i) {
-      order_[i] = i;
-      const BvhBox b = whole(i);
-      for (std::size_t k = 0; k < 3; ++k) centers_[i][k] = 0.5F * (b.lo[k] + b.hi[k]);
+  Collapse(const BinaryTree& tree, BvhLeaf leaf) : tree_(tree), cost_(tree.nodes.size()) {
+    left_slots_.resize(tree.nodes.size());
+    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+      const BinaryNode& n = tree.nodes[i];
+      const float area = half_area(n.box);
+      if (n.is_leaf()) {
+        cost_[i].fill(area * leaf_cost(leaf, n.count));
+        continue;
+      }
+      Costs& cost = cost_[i];
+      Slots& slots = left_slots_[i];
+      for (std::size_t s = kBvhWidth; s >= 2; --s) {
+        cost[s - 1] = kInf;
+        for (std::size_t k = 1; k < s; ++k) {
+          const float c = cost_of(n.left, k) + cost_of(n.right, s - k);
+          if (!(c < cost[s - 1])) continue;
+          cost[s - 1] = c;
+          slots[s - 1] = static_cast<std::uint8_t>(k);
+        }
+      }
+      slots[0] = slots[kBvhWidth - 1];
+      cost[0] = area + cost[kBvhWidth - 1];
+      for (std::size_t s = 2; s <= kBvhWidth; ++s) {
+        if (cost[s - 1] < cost[0]) continue;
+        cost[s - 1] = cost[0];
+        slots[s - 1] = 0;
+      }
     }
-    binary_.reserve(2 * order_.size() + 1);
   }
 
-  Bvh build() {
-    if (order_.empty()) {
-      result_.nodes.push_back(empty_node());
-      if (!end_.empty()) result_.motion.push_back({});
-      return std::move(result_);
+  /// The binary nodes that fill the slots of the wide node made of i.
+  struct Children {
+    std::array<int, kBvhWidth> node;
+    int count = 0;
+  };
+  [[nodiscard]] Children children(int i) const {
+    Children c{};
+    const BinaryNode& n = tree_.nodes[index(i)];
+    if (n.is_leaf()) {
+      c.node[0] = i;
+      c.count = 1;
+      return c;
     }
-    const int root = split(0, static_cast<std::uint32_t>(order_.size()), 0);
-    result_.nodes.push_back(empty_node());
-    if (!end_.empty()) result_.motion.push_back({});
-    collapse(root, 0);
+    const std::size_t left = left_slots_[index(i)][0];
+    collect(n.left, left, c);
+    collect(n.right, kBvhWidth - left, c);
+    return c;
+  }
+
+ private:
+  // By the number of slots, less 1, that a node and what is below may take of its parent.
+  using Costs = std::array<float, kBvhWidth>;
+  using Slots = std::array<std::uint8_t, kBvhWidth>;  ///< for the left child; 0: the node stays one
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  [[nodiscard]] float cost_of(int i, std::size_t slots) const { return cost_[index(i)][slots - 1]; }
+
+  void collect(int i, std::size_t slots, Children& c) const {
+    const BinaryNode& n = tree_.nodes[index(i)];
+    const std::size_t left = slots > 1 && !n.is_leaf() ? left_slots_[index(i)][slots - 1] : 0;
+    if (left == 0) {
+      c.node[index(c.count++)] = i;
+      return;
+    }
+    collect(n.left, left, c);
+    collect(n.right, slots - left, c);
+  }
+
+  const BinaryTree& tree_;
+  std::vector<Costs> cost_;
+  std::vector<Slots> left_slots_;
+};
+
+/// Writes the wide tree.
+class Writer {
+ public:
+  Writer(const BinaryTree& tree, const Collapse& collapse, std::span<const BvhBox> start,
+         std::span<const BvhBox> end, BvhLeaf leaf)
+      : tree_(tree), collapse_(collapse), leaf_(leaf), moving_(!end.empty()) {
+    if (moving_) {
+      measure(start, start_);
+      measure(end, end_);
+    }
+  }
+
+  Bvh write() {
+    add_node();
+    fill(0, 0);
     return std::move(result_);
   }
 
  private:
-  static BvhNode empty_node() {
+  /// Bounds of each binary node by those of its items.
+  void measure(std::span<const BvhBox> boxes, std::vector<BvhBox>& of_node) const {
+    of_node.assign(tree_.nodes.size(), {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}});
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      const BinaryNode& n = tree_.nodes[i];
+      if (n.is_leaf()) {
+        for (std::uint32_t k = n.first; k < n.first + n.count; ++k) {
+          grow(of_node[i], boxes[tree_.items[k]]);
+        }
+      } else {
+        grow(of_node[i], of_node[static_cast<std::size_t>(n.left)]);
+        grow(of_node[i], of_node[static_cast<std::size_t>(n.right)]);
+      }
+    }
+  }
+
+  std::uint32_t add_node() {
     BvhNode node{};
     for (int a = 0; a < 3; ++a) {
       std::fill(std::begin(node.lo[a]), std::end(node.lo[a]), kInf);
       std::fill(std::begin(node.hi[a]), std::end(node.hi[a]), -kInf);
     }
-    return node;
+    result_.nodes.push_back(node);
+    if (moving_) result_.motion.push_back({});
+    return static_cast<std::uint32_t>(result_.nodes.size() - 1);
   }
-
-  [[nodiscard]] BvhBox whole(std::uint32_t i) const {
-    BvhBox b = start_[i];
-    if (!end_.empty()) grow(b, end_[i]);
-    return b;
-  }
-
-  /// Tests that a leaf of n items costs, against 1 for a node.
-  [[nodiscard]] float leaf_cost(std::uint32_t n) const {
-    const std::uint32_t blocks = (n + kBvhWidth - 1) / kBvhWidth;
-    return static_cast<float>(leaf_ == BvhLeaf::Blocks ? blocks : n);
-  }
-
-  int split(std::uint32_t first, std::uint32_t count, int depth) {
-    BinaryNode node;
-    node.start = node.end = node.whole = empty_box();
-    BvhBox centers = empty_box();
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      const std::uint32_t item = order_[i];
-      grow(node.start, start_[item]);
-      if (!end_.empty()) grow(node.end, end_[item]);
-      grow(node.whole, whole(item));
-      for (std::size_t k = 0; k < 3; ++k) {
-        centers.lo[k] = std::min(centers.lo[k], centers_[item][k]);
-        centers.hi[k] = std::max(centers.hi[k], centers_[item][k]);
-      }
-    }
-    node.first = first;
-    node.count = count;
-    const auto at = static_cast<int>(binary_.size());
-    binary_.push_back(node);
-    const std::uint32_t largest_leaf = leaf_ == BvhLeaf::Blocks ? kBvhWidth : 4;
-    if (count == 1 || (leaf_ == BvhLeaf::Blocks && count <= kBvhWidth)) return at;
-    std::uint32_t middle = first;
-    const float best_cost =
-        depth < kMaxSahDepth ? partition(first, count, centers, node.whole, middle) : kInf;
-    if (count <= largest_leaf && !(best_cost < leaf_cost(count))) return at;
-    if (middle == first || middle == first + count) {
-      // All centres coincide, or the tree is too deep: halve along the widest axis.
-      int axis = 0;
-      for (int k = 1; k < 3; ++k) {
-        if (centers.hi[k] - centers.lo[k] > centers.hi[axis] - centers.lo[axis]) axis = k;
-      }
-      middle = first + count / 2;
-      std::nth_element(order_.begin() + first, order_.begin() + middle,
-                       order_.begin() + first + count, [&](std::uint32_t a, std::uint32_t b) {
-                         return centers_[a][static_cast<std::size_t>(axis)] <
-                                centers_[b][static_cast<std::size_t>(axis)];
-                       });
-    }
-    const int left = split(first, middle - first, depth + 1);
-    const int right = split(middle, first + count - middle, depth + 1);
-    binary_[static_cast<std::size_t>(at)].left = left;
-    binary_[static_cast<std::size_t>(at)].right = right;
-    return at;
-  }
-
-  /// Best binned split: reorders the range, sets `middle`, returns the expected cost.
-  float partition(std::uint32_t first, std::uint32_t count, const BvhBox& centers,
-                  const BvhBox& whole_box, std::uint32_t& middle) {
-    struct Bin {
-      BvhBox box = empty_box();
-      std::uint32_t count = 0;
-    };
-    float best = kInf;
-    std::size_t best_axis = 0;
-    int best_bin = -1;
-    const auto bin_of = [&](std::uint32_t item, std::size_t axis, float scale) {
-      const float x = (centers_[item][axis] - centers.lo[axis]) * scale;
-      return std::min(static_cast<int>(x), kBins - 1);
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float extent = centers.hi[axis] - centers.lo[axis];
-      if (!(extent > 0)) continue;
-      const float scale = static_cast<float>(kBins) / extent;
-      if (!std::isfinite(scale)) continue;
-      std::array<Bin, kBins> bins;
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        Bin& bin = bins[static_cast<std::size_t>(bin_of(order_[i], axis, scale))];
-        grow(bin.box, whole(order_[i]));
-        ++bin.count;
-      }
-      std::array<float, kBins> right_cost{};
-      BvhBox box = empty_box();
-      std::uint32_t n = 0;
-      for (std::size_t b = kBins - 1; b > 0; --b) {
-        grow(box, bins[b].box);
-        n += bins[b].count;
-        right_cost[b] = half_area(box) * leaf_cost(n);
-      }
-      box = empty_box();
-      n = 0;
-      for (std::size_t b = 0; b + 1 < kBins; ++b) {
-        grow(box, bins[b].box);
-        n += bins[b].count;
-        if (n == 0 || n == count) continue;
-        const float cost = half_area(box) * leaf_cost(n) + right_cost[b + 1];
-        if (cost < best) {
-          best = cost;
-          best_axis = axis;
-          best_bin = static_cast<int>(b);
-        }
-      }
-    }
-    if (best_bin < 0) return kInf;
-    const float scale = static_cast<float>(kBins) / (centers.hi[best_axis] - centers.lo[best_axis]);
-    const auto cut = std::partition(
-        order_.begin() + first, order_.begin() + first + count,
-        [&](std::uint32_t item) { return bin_of(item, best_axis, scale) <= best_bin; });
-    middle = static_cast<std::uint32_t>(cut - order_.begin());
-    const float area = half_area(whole_box);
-    return area > 0 ? 1 + best / area : kInf;
-  }
-
-  [[nodiscard]] const BinaryNode& node(int i) const { return binary_[static_cast<std::size_t>(i)]; }
 
   std::uint32_t make_leaf(const BinaryNode& n) {
-    std::uint32_t first = 0, count = n.count;
-    if (leaf_ == BvhLeaf::Blocks) {
-      first = static_cast<std::uint32_t>(result_.items.size() / kBvhWidth);
-      count = 1;
-    } else {
-      first = static_cast<std::uint32_t>(result_.items.size());
-    }
+    const bool blocks = leaf_ == BvhLeaf::Blocks;
+    const std::size_t first = result_.items.size() / (blocks ? kBvhWidth : 1);
     if (first >= (1U << 24)) {
       throw Error(
           ErrorKind::Scene,
           "scene: too many primitives for one acceleration structure (limit 16.7 million leaves)");
     }
-    for (std::uint32_t i = 0; i < n.count; ++i) result_.items.push_back(order_[n.first + i]);
-    if (leaf_ == BvhLeaf::Blocks) {
-      while (result_.items.size() % kBvhWidth != 0) result_.items.push_back(Bvh::kPadding);
+    const auto from = tree_.items.begin() + n.first;
+    result_.items.insert(result_.items.end(), from, from + n.count);
+    while (blocks && result_.items.size() % kBvhWidth != 0) {
+      result_.items.push_back(Bvh::kPadding);
     }
-    return BvhNode::kLeaf | count << 24 | first;
+    return BvhNode::kLeaf | (blocks ? 1 : n.count) << 24 | static_cast<std::uint32_t>(first);
   }
 
-  /// Fills wide node `at` from binary node `root`.
-  void collapse(int root, std::size_t at) {
-    std::array<int, kBvhWidth> children{};
-    int used = 1;
-    children[0] = root;
-    while (used < kBvhWidth) {
-      int widest = -1;
-      float area = -1;
-      for (int i = 0; i < used; ++i) {
-        const BinaryNode& n = node(children[static_cast<std::size_t>(i)]);
-        if (n.left >= 0 && half_area(n.whole) > area) {
-          area = half_area(n.whole);
-          widest = i;
-        }
-      }
-      if (widest < 0) break;
-      const BinaryNode& n = node(children[static_cast<std::size_t>(widest)]);
-      children[static_cast<std::size_t>(widest)] = n.left;
-      children[static_cast<std::size_t>(used++)] = n.right;
-    }
-    std::array<int, kBvhWidth> wide{};
-    for (int i = 0; i < used; ++i) {
-      const auto slot = static_cast<std::size_t>(i);
-      const BinaryNode n = node(children[slot]);
-      BvhNode& target = result_.nodes[at];
-      for (int a = 0; a < 3; ++a) {
-        target.lo[a][slot] = n.start.lo[a];
-        target.hi[a][slot] = n.start.hi[a];
-        if (end_.empty()) continue;
-        // lo + time * (end - start), evaluated in float: one ulp of the larger end covers the
-        // rounding.
-        const float slack =
-            4e-7F * std::max(std::max(std::fabs(n.start.lo[a]), std::fabs(n.start.hi[a])),
-                             std::max(std::fabs(n.end.lo[a]), std::fabs(n.end.hi[a])));
-        target.lo[a][slot] -= slack;
-        target.hi[a][slot] += slack;
-        result_.motion[at].lo[a][slot] = n.end.lo[a] - n.start.lo[a];
-        result_.motion[at].hi[a][slot] = n.end.hi[a] - n.start.hi[a];
-      }
-      if (n.left < 0) {
-        target.child[slot] = make_leaf(n);
-      } else {
-        wide[slot] = static_cast<int>(result_.nodes.size());
-        target.child[slot] = static_cast<std::uint32_t>(result_.nodes.size());
-        result_.nodes.push_back(empty_node());
-        if (!end_.empty()) result_.motion.push_back({});
-      }
-    }
-    for (int i = 0; i < used; ++i) {
-      const auto slot = static_cast<std::size_t>(i);
-      if (wide[slot] > 0) collapse(children[slot], static_cast<std::size_t>(wide[slot]));
+  void put_box(std::size_t at, std::size_t slot, std::size_t binary) {
+    BvhNode& target = result_.nodes[at];
+    const BvhBox& start = moving_ ? start_[binary] : tree_.nodes[binary].box;
+    for (int a = 0; a < 3; ++a) {
+      target.lo[a][slot] = start.lo[a];
+      target.hi[a][slot] = start.hi[a];
+      if (!moving_) continue;
+      const BvhBox& end = end_[binary];
+      // lo + time * (end - start), evaluated in float: one ulp of the larger end covers the
+      // rounding.
+      const float slack = 4e-7F * std::max(std::max(std::fabs(start.lo[a]), std::fabs(start.hi[a])),
+                                           std::max(std::fabs(end.lo[a]), std::fabs(end.hi[a])));
+      target.lo[a][slot] -= slack;
+      target.hi[a][slot] += slack;
+      result_.motion[at].lo[a][slot] = end.lo[a] - start.lo[a];
+      result_.motion[at].hi[a][slot] = end.hi[a] - start.hi[a];
     }
   }
 
-  std::span<const BvhBox> start_, end_;
+  /// Fills wide node `at` from binary node `root`, then its children.
+  void fill(int root, std::size_t at) {
+    const Collapse::Children children = collapse_.children(root);
+    std::array<std::uint32_t, kBvhWidth> wide{};
+    for (int i = 0; i < children.count; ++i) {
+      const auto slot = static_cast<std::size_t>(i);
+      const auto binary = static_cast<std::size_t>(children.node[slot]);
+      put_box(at, slot, binary);
+      const BinaryNode& n = tree_.nodes[binary];
+      wide[slot] = n.is_leaf() ? 0 : add_node();
+      result_.nodes[at].child[slot] = n.is_leaf() ? make_leaf(n) : wide[slot];
+    }
+    for (int i = 0; i < children.count; ++i) {
+      const auto slot = static_cast<std::size_t>(i);
+      if (wide[slot] > 0) fill(children.node[slot], wide[slot]);
+    }
+  }
+
+  const BinaryTree& tree_;
+  const Collapse& collapse_;
   BvhLeaf leaf_;
-  std::vector<std::uint32_t> order_;
-  std::vector<std::array<float, 3>> centers_;
-  std::vector<BinaryNode> binary_;
+  bool moving_;
+  std::vector<BvhBox> start_, end_;  ///< of each binary node, if anything moves
   Bvh result_;
 };
 
@@ -278,8 +218,28 @@ BvhBox outward_box(const double (&lo)[3], const double (&hi)[3]) {
   return box;
 }
 
-Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf) {
-  return Builder(boxes, boxes_end, leaf).build();
+Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf,
+              unsigned threads) {
+  if (boxes.empty()) {
+    Bvh empty;
+    empty.nodes.push_back({});
+    for (int a = 0; a < 3; ++a) {
+      std::fill(std::begin(empty.nodes[0].lo[a]), std::end(empty.nodes[0].lo[a]), kInf);
+      std::fill(std::begin(empty.nodes[0].hi[a]), std::end(empty.nodes[0].hi[a]), -kInf);
+    }
+    if (!boxes_end.empty()) empty.motion.push_back({});
+    return empty;
+  }
+  if (threads == 0) threads = processor_count();
+  std::vector<BvhBox> whole(boxes_end.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    whole[i] = boxes[i];
+    grow(whole[i], boxes_end[i]);
+  }
+  const BinaryTree tree =
+      build_binary_tree(boxes_end.empty() ? boxes : std::span<const BvhBox>(whole), leaf, threads);
+  const Collapse collapse(tree, leaf);
+  return Writer(tree, collapse, boxes, boxes_end, leaf).write();
 }
 
 }  // namespace lightbench

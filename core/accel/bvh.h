@@ -1,6 +1,6 @@
 #pragma once
 // The bounding volume hierarchy as a value: built from boxes, it knows no shapes. Binned SAH on a
-// binary tree (Wald 2007), then collapsed to eight children per node by opening the largest first.
+// binary tree (bvh_binary.h), then collapsed to eight children per node at the least expected cost.
 
 #include <cstdint>
 #include <span>
@@ -30,7 +30,9 @@ struct Bvh {
 };
 
 /// Boxes at time 0 and, if anything moves, at time 1 (else empty). Fewer than 2^24 leaves; throws
-/// Error{Scene} beyond. No boxes give one node that no ray meets.
-Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf);
+/// Error{Scene} beyond. No boxes give one node that no ray meets. `threads` 0: the processor's; the
+/// tree is the same for any number.
+Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf,
+              unsigned threads = 0);
 
 }  // namespace lightbench

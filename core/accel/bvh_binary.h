@@ -1,0 +1,40 @@
+#pragma once
+// The binary tree from which build_bvh() makes its wide nodes: binned SAH (Wald 2007) in parallel.
+// The tree does not depend on the number of threads: how a range of boxes is split follows from the
+// boxes and their order alone, and partitions keep the order.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accel/bvh.h"
+
+namespace lightbench {
+
+struct BinaryNode {
+  BvhBox box;  ///< over the whole shutter
+  std::uint32_t first, count;
+  int left, right;  ///< indices of the children; negative in leaves
+  [[nodiscard]] bool is_leaf() const { return left < 0; }
+};
+
+struct BinaryTree {
+  std::vector<BinaryNode> nodes;     ///< the root first, children after their parents
+  std::vector<std::uint32_t> items;  ///< indices of boxes; a leaf's are [first, first + count)
+};
+
+/// Half the surface of a box; 0 for the empty one.
+inline float half_area(const BvhBox& b) {
+  const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
+  return x < 0 ? 0 : x * y + y * z + z * x;
+}
+
+/// Tests that a leaf of n items costs, against 1 for a node.
+inline float leaf_cost(BvhLeaf leaf, std::uint32_t n) {
+  return static_cast<float>(leaf == BvhLeaf::Blocks ? (n + kBvhWidth - 1) / kBvhWidth : n);
+}
+
+/// `boxes` must not be empty.
+BinaryTree build_binary_tree(std::span<const BvhBox> boxes, BvhLeaf leaf, unsigned threads);
+
+}  // namespace lightbench
