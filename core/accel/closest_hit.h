@@ -44,8 +44,8 @@ inline void enter_scene(const SceneView<T>& scene, const SingleRay& ray, Walk& w
 /// The primitives of a leaf of the scene's tree. At a mesh the rest of the leaf goes back to the
 /// stack. Not inlined: nodes and triangles want the registers.
 template <bool kShadow>
-[[gnu::noinline]] void visit_leaf(const SceneView<T>& scene, const SingleRay& ray, std::uint32_t leaf,
-                std::int32_t key, Walk& walk) {
+[[gnu::noinline]] void visit_leaf(const SceneView<T>& scene, const SingleRay& ray,
+                                  std::uint32_t leaf, std::int32_t key, Walk& walk) {
   const std::uint32_t end = leaf_first(leaf) + leaf_count(leaf);
   for (std::uint32_t k = leaf_first(leaf); k < end; ++k) {
     const std::uint32_t i = scene.leaves[k];
@@ -190,7 +190,7 @@ inline void refine_hits(const SceneView<T>& scene, const Ray& ray, NearestHit& h
       const auto shape = shape_at<kKind>(rows_of<kKind>(scene, hit.primitive, m), ray.time);
       TriangleHit h{hit.t, hit.b1, hit.b2, m};
       if constexpr (kKind == PrimitiveKind::Mesh) {
-        h = refine_triangle(fetch_triangles(scene, hit.primitive, hit.slot, m).vertices,
+        h = refine_triangle(fetch_vertices(scene, hit.primitive, hit.slot, m),
                             shape.to_local.point(ray.o), shape.to_local.vector(ray.d), h);
       } else {
         h = refine_triangle(shape, ray.o, ray.d, h);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/compile/compile_geometry.h"
+#include "core/compile/compile_mesh.h"
 #include "core/compile/compile_shading.h"
 #include "core/compile/feature_list.h"
 #include "core/compile/parts.h"
@@ -174,8 +175,7 @@ void fill_stats(const Scene& scene, const KernelParts<T>& p, RenderStats& s) {
   for (const auto& m : g.meshes) {
     if (m == nullptr) continue;
     s.triangles += static_cast<std::int64_t>(m->source->triangles.size());
-    s.bytes += bytes_of(m->nodes) + bytes_of(m->blocks) + bytes_of(m->normals) + bytes_of(m->uvs) +
-               bytes_of(m->slot_triangle) + bytes_of(m->triangle_slot);
+    s.bytes += bytes_of(*m);
   }
   s.lights =
       std::count_if(p.lights->pmf.begin(), p.lights->pmf.end(), [](T x) { return x > T(0); });

@@ -95,9 +95,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     }
     if (part->meshes[i] == nullptr) part->meshes[i] = compile_mesh<T>(scene.meshes[i].data);
     const MeshPart<T>& m = *part->meshes[i];
-    part->mesh_views[i] = {m.nodes.data(), m.blocks.data(),
-                           m.normals.empty() ? nullptr : m.normals.data(),
-                           m.uvs.empty() ? nullptr : m.uvs.data()};
+    part->mesh_views[i] = mesh_view(m);
   }
 
   // Surfaces first, then boundaries; within each by kind, so that the loop over a tiny scene

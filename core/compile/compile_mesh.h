@@ -5,7 +5,17 @@
 
 namespace lightbench {
 
+/// `threads` 0: the processor's. The result is the same for any number.
 template <class T>
-std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh>& mesh);
+std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh>& mesh,
+                                                unsigned threads = 0);
+
+/// Points into the part and its source.
+template <class T>
+MeshView<T> mesh_view(const MeshPart<T>& part);
+
+/// Of the part and its source.
+template <class T>
+std::int64_t bytes_of(const MeshPart<T>& part);
 
 }  // namespace lightbench

@@ -24,7 +24,6 @@ struct MeshPart {
   double scale = 1;
   std::vector<BvhNode> nodes;
   std::vector<TriangleBlock<T>> blocks;
-  std::vector<T> normals, uvs;
   std::vector<std::uint32_t> slot_triangle;  ///< triangle of the source, or Bvh::kPadding
   std::vector<std::uint32_t> triangle_slot;  ///< and back
 };

@@ -45,12 +45,15 @@ enum class MirrorOutline : std::uint32_t { Parallelogram, Triangle, Disc };
 /// Numbers in a mesh's row before the index of the mesh.
 inline constexpr unsigned kMeshRow = 24;
 
+/// What paths need of few triangles, their normals and uvs, stays where the scene's mesh has it.
 template <class T>
 struct MeshView {
   const BvhNode* nodes = nullptr;
   const TriangleBlock<T>* blocks = nullptr;
-  const T* normals = nullptr;  ///< 9 per slot (block * 8 + slot), or null
-  const T* uvs = nullptr;      ///< 6 per slot, or null
+  const std::uint32_t* slot_triangle = nullptr;  ///< triangle of each slot (block * 8 + column)
+  const std::uint32_t* triangles = nullptr;      ///< its vertices, 3 per triangle
+  const double* normals = nullptr;               ///< 3 per vertex, or null
+  const double* uvs = nullptr;                   ///< 2 per vertex, or null
 };
 
 struct ImageView {

@@ -23,7 +23,7 @@ struct MeshLight {
 inline MeshLight mesh_light(const SceneView<T>& scene, LightPlace place, Mask active) {
   const MeshInstance instance =
       mesh_at(rows_of<PrimitiveKind::Mesh>(scene, place.primitive, active));
-  const Triangle t = fetch_triangles(scene, place.primitive, place.slot, active).vertices;
+  const Triangle t = fetch_vertices(scene, place.primitive, place.slot, active);
   return {to_world(instance, t),
           normalize(instance.to_local.transposed(cross(t.b - t.a, t.c - t.a)))};
 }

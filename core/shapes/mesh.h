@@ -26,34 +26,66 @@ struct MeshTriangle {
   Mask has_uvs;
 };
 
-/// Of each active lane's mesh instance.
-inline MeshTriangle fetch_triangles(const SceneView<T>& scene, Int primitive, Int slot,
-                                    Mask active) {
+/// In mesh space, of each active lane's mesh instance.
+inline Triangle fetch_vertices(const SceneView<T>& scene, Int primitive, Int slot, Mask active) {
   alignas(64) std::uint32_t primitives[kLanes], slots[kLanes];
-  alignas(64) T v[9][kLanes] = {}, n[9][kLanes] = {}, uv[6][kLanes] = {};
+  alignas(64) T v[9][kLanes] = {};
   store(primitives, primitive);
   store(slots, slot);
-  std::uint32_t with_uvs = 0;
   for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
     const MeshView<T>& mesh = mesh_of(scene, primitives[lane]);
     const TriangleBlock<T>& block = mesh.blocks[slots[lane] / kBvhWidth];
     const std::uint32_t column = slots[lane] % kBvhWidth;
     for (unsigned k = 0; k < 9; ++k) v[k][lane] = block.v[k][column];
-    for (unsigned k = 0; k < 9 && mesh.normals != nullptr; ++k) {
-      n[k][lane] = mesh.normals[std::size_t{9} * slots[lane] + k];
-    }
-    if (mesh.uvs == nullptr) continue;
-    with_uvs |= 1U << lane;
-    for (unsigned k = 0; k < 6; ++k) uv[k][lane] = mesh.uvs[std::size_t{6} * slots[lane] + k];
   }
-  const auto vec = [](const T(&a)[9][kLanes], unsigned i) {
-    return Vec{load(a[i]), load(a[i + 1]), load(a[i + 2])};
+  const auto vec = [&v](unsigned i) { return Vec{load(v[i]), load(v[i + 1]), load(v[i + 2])}; };
+  return {vec(0), vec(3), vec(6)};
+}
+
+/// The same with normals and uvs, which lie where the scene's mesh has them.
+inline MeshTriangle fetch_triangles(const SceneView<T>& scene, Int primitive, Int slot,
+                                    Mask active) {
+  alignas(64) std::uint32_t primitives[kLanes], at[kLanes], vertices[3][kLanes];
+  alignas(64) T n[9][kLanes] = {}, uv[6][kLanes] = {};
+  store(primitives, primitive);
+  store(at, slot);
+  const auto each_lane = [](std::uint32_t lanes, auto f) {
+    for (; lanes != 0; lanes &= lanes - 1) f(static_cast<unsigned>(__builtin_ctz(lanes)));
   };
+  std::uint32_t with_normals = 0, with_uvs = 0;
+  each_lane(bits(active), [&](unsigned lane) {
+    const MeshView<T>& mesh = mesh_of(scene, primitives[lane]);
+    with_normals |= mesh.normals != nullptr ? 1U << lane : 0U;
+    with_uvs |= mesh.uvs != nullptr ? 1U << lane : 0U;
+  });
+  // Step by step for all lanes, so that their waits for memory overlap.
+  each_lane(with_normals | with_uvs, [&](unsigned lane) {
+    at[lane] = mesh_of(scene, primitives[lane]).slot_triangle[at[lane]];
+  });
+  each_lane(with_normals | with_uvs, [&](unsigned lane) {
+    const std::uint32_t* triangle =
+        mesh_of(scene, primitives[lane]).triangles + std::size_t{3} * at[lane];
+    for (unsigned i = 0; i < 3; ++i) vertices[i][lane] = triangle[i];
+  });
+  each_lane(with_normals, [&](unsigned lane) {
+    const double* normals = mesh_of(scene, primitives[lane]).normals;
+    for (unsigned i = 0; i < 3; ++i) {
+      const double* normal = normals + std::size_t{3} * vertices[i][lane];
+      for (unsigned k = 0; k < 3; ++k) n[3 * i + k][lane] = static_cast<T>(normal[k]);
+    }
+  });
+  each_lane(with_uvs, [&](unsigned lane) {
+    const double* uvs = mesh_of(scene, primitives[lane]).uvs;
+    for (unsigned i = 0; i < 3; ++i) {
+      const double* corner = uvs + std::size_t{2} * vertices[i][lane];
+      for (unsigned k = 0; k < 2; ++k) uv[2 * i + k][lane] = static_cast<T>(corner[k]);
+    }
+  });
   MeshTriangle r;
-  r.vertices = {vec(v, 0), vec(v, 3), vec(v, 6)};
+  r.vertices = fetch_vertices(scene, primitive, slot, active);
   for (unsigned i = 0; i < 3; ++i) {
-    r.normals[i] = vec(n, 3 * i);
+    r.normals[i] = {load(n[3 * i]), load(n[3 * i + 1]), load(n[3 * i + 2])};
     r.uvs[i] = {load(uv[2 * i]), load(uv[2 * i + 1])};
   }
   r.has_uvs = mask_from_bits(with_uvs);
