@@ -1,0 +1,37 @@
+#pragma once
+// The kernel's inner functions in loops of their own, one table per target: what the benchmarks
+// time. Scenes are compiled; rays are in render space.
+
+#include <span>
+
+#include "core/kernel/scene_view.h"
+#include "tests/bench/micro/rays.h"
+
+namespace lightbench::micro {
+
+struct Answer {
+  float t;
+  std::uint32_t primitive, slot;  ///< kNoHit where nothing was hit
+};
+
+template <class T>
+struct KernelLoops {
+  /// Nearest hits, all lanes at once as the path tracer asks; `answers` is as long as the padded
+  /// rays.
+  void (*closest)(const SceneView<T>&, const RaySet&, std::span<Answer> answers);
+  /// Any hit before t_max: `primitive` tells whether there is one, the rest is unset.
+  void (*any)(const SceneView<T>&, const RaySet&, std::span<Answer> answers);
+};
+
+#define LIGHTBENCH_DECLARE_LOOPS(name, type) \
+  namespace name {                           \
+  extern const KernelLoops<type> loops;      \
+  }
+#ifdef LIGHTBENCH_X86
+LIGHTBENCH_DECLARE_LOOPS(avx512, float)
+LIGHTBENCH_DECLARE_LOOPS(avx2, float)
+#endif
+LIGHTBENCH_DECLARE_LOOPS(scalar, float)
+#undef LIGHTBENCH_DECLARE_LOOPS
+
+}  // namespace lightbench::micro

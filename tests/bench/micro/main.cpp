@@ -1,0 +1,16 @@
+// Micro-benchmarks (Google Benchmark): bin/bench_micro --benchmark_filter=REGEX. For ratios between
+// lines: --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true.
+
+#include <benchmark/benchmark.h>
+
+namespace lightbench::micro {
+void add_traversal();
+}  // namespace lightbench::micro
+
+int main(int argc, char** argv) {
+  lightbench::micro::add_traversal();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
