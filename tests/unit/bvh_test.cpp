@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -184,6 +185,36 @@ TEST(Bvh, IsTheSameEveryTime) {
   const Bvh a = build_bvh(boxes, {}, BvhLeaf::Items), b = build_bvh(boxes, {}, BvhLeaf::Items);
   EXPECT_EQ(a.items, b.items);
   EXPECT_EQ(a.nodes.size(), b.nodes.size());
+}
+
+bool same_tree(const Bvh& a, const Bvh& b) {
+  return a.items == b.items && a.nodes.size() == b.nodes.size() &&
+         std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(BvhNode)) == 0 &&
+         a.motion.size() == b.motion.size();
+}
+
+TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
+  auto boxes = random_boxes(60000, 10, 10, 0.1F);
+  for (std::size_t i = 0; i < 30000; ++i) boxes[i] = boxes[i % 7];  // ties: order must decide
+  const auto end = random_boxes(60000, 11, 10, 0.1F);
+  for (const BvhLeaf leaf : {BvhLeaf::Items, BvhLeaf::Blocks}) {
+    const Bvh alone = build_bvh(boxes, {}, leaf, 1), moving = build_bvh(boxes, end, leaf, 1);
+    Walk(alone, boxes, {}, leaf).run();
+    for (const unsigned threads : {2U, 3U, 16U, 0U}) {
+      EXPECT_TRUE(same_tree(alone, build_bvh(boxes, {}, leaf, threads))) << threads;
+      EXPECT_TRUE(same_tree(moving, build_bvh(boxes, end, leaf, threads))) << threads;
+    }
+  }
+}
+
+TEST(Bvh, FillsNodesAndBlocks) {
+  const auto boxes = random_boxes(20000, 12, 10, 0.1F);
+  const Bvh bvh = build_bvh(boxes, {}, BvhLeaf::Blocks);
+  const auto nodes = static_cast<double>(bvh.nodes.size());
+  const auto blocks = static_cast<double>(bvh.items.size()) / kBvhWidth;
+  // Opening the largest child first leaves 3.9 children to a node.
+  EXPECT_GT((nodes - 1 + blocks) / nodes, 5);
+  EXPECT_GT(static_cast<double>(boxes.size()) / static_cast<double>(bvh.items.size()), 0.8);
 }
 
 TEST(Bvh, RoundsBoxesOutward) {
