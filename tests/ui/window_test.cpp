@@ -253,7 +253,6 @@ TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
 TEST_F(Window, AnySizeAndOutOfSight) {
   const nlohmann::json camera = widgets_with("Camera");
   ASSERT_NO_FATAL_FAILURE(open_viewer());
-  ASSERT_TRUE(orbit(camera));  // what it was told before it listens would be lost
   const auto resize = [&](const std::string& size) {
     xdotool("windowsize " + window_ + " " + size);
   };
@@ -277,9 +276,12 @@ TEST_F(Window, AnySizeAndOutOfSight) {
     EXPECT_TRUE(size_is(size)) << size;
     ASSERT_FALSE(viewer_->exit_code()) << "stopped at " << size;
   }
-  // The render goes on meanwhile, and with it the snapshots.
-  xdotool("windowfocus " + window_ + " key F12");
-  EXPECT_TRUE(wait_until(60, [&] { return snapshots() == 1; }));
+  // The render goes on meanwhile, and with it the snapshots; before its first pass there is none.
+  xdotool("windowfocus " + window_);
+  EXPECT_TRUE(wait_until(60, [&] {
+    xdotool("key F12");
+    return wait_until(10, [&] { return snapshots() == 1; });
+  }));
   xdotool("windowunmap " + window_);
   EXPECT_TRUE(wait_until(60, [&] {
     return output_of("xdotool search --onlyvisible --name Lightbench 2> /dev/null").empty();
