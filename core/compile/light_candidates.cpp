@@ -120,15 +120,18 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* f
       window[k] = dot(w[k], p.center - face->origin);
       extent[k] = p.extent(w[k]);
     }
+    // Of a light that the mirror's plane cuts, the part in front.
+    window.z = std::max(window.z, 0.25 * extent.z);
     weight *= dot(face->color, dvec3(0.2126, 0.7152, 0.0722));
   }
+  const double radius = p.radius();
   const double numbers[kLightCandidateStride] = {center.x,
                                                  center.y,
                                                  center.z,
                                                  normal.x,
                                                  normal.y,
                                                  normal.z,
-                                                 p.radius(),
+                                                 radius,
                                                  weight,
                                                  double(light),
                                                  double(mirror),
@@ -138,7 +141,9 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* f
                                                  window.z,
                                                  extent.x,
                                                  extent.y,
-                                                 extent.z};
+                                                 extent.z,
+                                                 face != nullptr ? 1 / window.z : 0.0,
+                                                 0.25 / radius};
   for (const double x : numbers) rows.push_back(static_cast<T>(x));
 }
 

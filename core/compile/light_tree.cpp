@@ -67,9 +67,9 @@ class Builder {
             unsigned depth) {
     const Cluster c = cluster_of(lamps_, members);
     const double sine = std::sqrt(std::max(0.0, 1 - c.cosine * c.cosine));
-    const double numbers[kLightNodeStride] = {c.center.x, c.center.y, c.center.z, c.radius,
-                                              c.weight,   c.axis.x,   c.axis.y,   c.axis.z,
-                                              c.cosine,   sine};
+    const double numbers[kLightNodeStride] = {c.center.x, c.center.y, c.center.z,     c.radius,
+                                              c.weight,   c.axis.x,   c.axis.y,       c.axis.z,
+                                              c.cosine,   sine,       0.25 / c.radius};
     std::transform(std::begin(numbers), std::end(numbers),
                    lights_.tree_rows.begin() + static_cast<std::ptrdiff_t>(node * kLightNodeStride),
                    [](double x) { return static_cast<T>(x); });

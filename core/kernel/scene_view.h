@@ -35,10 +35,10 @@ inline constexpr unsigned kMaterialStride = 16;
 inline constexpr unsigned kTextureStride = 16;
 /// Lights and their images in mirrors that are chosen between by contribution, at most.
 inline constexpr unsigned kMaxLightCandidates = 32;
-inline constexpr unsigned kLightCandidateStride = 17;
+inline constexpr unsigned kLightCandidateStride = 19;
 inline constexpr unsigned kMirrorStride = 18;
 inline constexpr std::uint32_t kNoMirror = 0xffffffffU;
-inline constexpr unsigned kLightNodeStride = 10;
+inline constexpr unsigned kLightNodeStride = 11;
 inline constexpr std::uint32_t kLightLeaf = 0x80000000U;
 inline constexpr std::uint32_t kNoTrail = 0xffffffffU;
 enum class MirrorOutline : std::uint32_t { Parallelogram, Triangle, Disc };

@@ -18,13 +18,13 @@ struct Chooser {
   Vec p, n;
 };
 
-/// Height over the point's horizon of a ball of radius r at d, `distance` away: the mean of the
-/// clipped heights within it. In a medium everything counts in full.
-inline Real clipped_height(const Chooser& at, Vec d, Real r, Real distance) {
-  const Real s = dot(at.n, d);
-  const Real above = clamp(s + r, Real(0), r + r);
-  const Real height = fma(above * above, T(0.25) / r, max(s - r, Real(0)));
-  return select(length_squared(at.n) > Real(0), height, distance);
+inline Mask looks_all_around(const Chooser& at) { return !(length_squared(at.n) > Real(0)); }
+
+/// Height over the horizon of a ball of radius r whose centre is at `height`: the mean of the
+/// clipped heights within it. `quarter` = 1 / (4 r).
+inline Real clipped_height(Real height, Real r, Real quarter) {
+  const Real above = clamp(height + r, Real(0), r + r);
+  return fma(above * above, quarter, max(height - r, Real(0)));
 }
 
 LIGHTBENCH_KERNEL_END

@@ -28,23 +28,27 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
 /// for factors common to all. `c` reads a row (Row or LaneRow):
 ///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
-///   the front, 8 light, 9 mirror or -1, 10 two-sided, 11..16 its window (core/lights/mirror.h).
+///   the front, 8 light, 9 mirror or -1, 10 two-sided, 11..17 its window (core/lights/mirror.h),
+///   18 a quarter of the inverse of its radius.
 /// Of an image the centre and the normal are mirrored. The cosine at the point is the mean of the
 /// clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the point.
 inline Real contribution(const auto& c, const Chooser& at) {
-  const Vec d = c.vec(0) - at.p;
+  const Vec d = c.vec(0) - at.p, n = c.vec(3);
   const Real r = c[6], rr = r * r;
-  const Real d2 = max(length_squared(d), rr * T(1e-4));
-  const Real distance = sqrt(d2);
-  const Real receiver = clipped_height(at, d, r, distance);
-  const Vec n = c.vec(3);
-  const Mask flat = length_squared(n) > Real(0);
+  const Real d2 = max(length_squared(d), rr * T(1e-4)), sum = d2 + rr;
+  const Real falloff = Real(1) / (d2 * sum);
+  const Mask flat = length_squared(n) > Real(0), in_medium = looks_all_around(at);
+  Real receiver = clipped_height(dot(at.n, d), r, c[18]);
   Real height = -dot(n, d);
   height = select(c[10] > Real(0), abs(height), height);
   // Near a flat light its far parts are seen less steeply than its centre.
-  height = select(height > Real(0), fma(r, min(rr / d2, Real(1)), height), Real(0));
-  height = select(flat, height, distance);
-  return c[7] * receiver * height / (d2 * (d2 + rr));
+  height = select(height > Real(0), fma(r, min(rr * sum * falloff, Real(1)), height), Real(0));
+  if (any(!flat || in_medium)) {
+    const Real distance = sqrt(d2);
+    height = select(flat, height, distance);
+    receiver = select(in_medium, distance, receiver);
+  }
+  return c[7] * receiver * height * falloff;
 }
 
 /// All candidates' estimates, and their sum.

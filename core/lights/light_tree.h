@@ -11,7 +11,7 @@ LIGHTBENCH_KERNEL_BEGIN
 
 /// Estimate of the irradiance that the lanes' own node sheds on the point. A row is
 ///   0..2 centre and 3 radius of a ball around the lights, 4 their weight, 5..7 axis, 8 cosine and
-///   9 sine of a cone around their normals.
+///   9 sine of a cone around their normals, 10 a quarter of the inverse of the radius.
 /// As for single lights, but that the cosine at the lights is the best that cone and ball allow.
 inline Real cluster_contribution(const SceneView<T>& scene, Int node, const Chooser& at) {
   const Int base = node * Int(kLightNodeStride);
@@ -20,7 +20,8 @@ inline Real cluster_contribution(const SceneView<T>& scene, Int node, const Choo
   const Real r = number(3), rr = r * r;
   const Real d2 = max(length_squared(d), rr * T(1e-4)), sum = d2 + rr;
   const Real distance = sqrt(d2);
-  const Real receiver = clipped_height(at, d, r, distance);
+  const Real receiver =
+      select(looks_all_around(at), distance, clipped_height(dot(at.n, d), r, number(10)));
   const Real inverse = Real(1) / sqrt(sum);
   const Real cos_ball = distance * inverse, sin_ball = r * inverse;
   const Real cos_cone = number(8), sin_cone = number(9);

@@ -39,23 +39,27 @@ inline Mask within_outline(const Mirror& m, Real a, Real b) {
                 square && (m.outline != triangle || a + b <= Real(1)));
 }
 
-/// Roughly which share of a light's image is seen through the mirror from `place`; 0 only where
-/// none is. Numbers 11..13 of the candidate's row are the light's own place before the mirror,
-/// 14..16 its extent around it: the lines from the point to the image cross the mirror within an
-/// interval of each coordinate.
+/// Roughly which share of a light's image is seen through the mirror from `place`; 0 where none is.
+/// Numbers 11..13 of the candidate's row are the light's own place before the mirror, 14..16 its
+/// extent around it, 17 the inverse of its height. The line from the point to the image's centre
+/// crosses the mirror at (from height' + to height) / (height + height'), and its extent makes an
+/// interval of that; both are multiplied by the sum of the heights here, to divide only once.
 inline Real share_in_window(const Mirror& m, Vec place, const auto& candidate) {
   const Vec light = candidate.vec(11), extent = candidate.vec(14);
-  const Real least = place.z / (place.z + light.z + extent.z);
-  const Real most = place.z / (place.z + max(light.z - extent.z, Real(0)));
-  const Real lowest =
-      select(m.outline == Real(static_cast<T>(MirrorOutline::Disc)), Real(-1), Real(0));
-  const auto share = [&](Real from, Real to, Real radius) {
-    const Real a = to - from - radius, b = to - from + radius;
-    const Real lo = from + min(a * least, a * most), hi = from + max(b * least, b * most);
-    return max(min(hi, Real(1)) - max(lo, lowest), Real(0)) / max(hi - lo, Real(T(1e-6)));
+  const Real sum = place.z + light.z;
+  // How far a change of the light's height along its extent moves the crossing.
+  const Real slide = extent.z * min(place.z * candidate[17], Real(1));
+  const Real lowest = select(m.outline == Real(static_cast<T>(MirrorOutline::Disc)), -sum, Real(0));
+  Real seen(1), whole(1);
+  const auto cut = [&](Real from, Real to, Real radius) {
+    const Real middle = fma(from, light.z, to * place.z);
+    const Real half = fma(radius, place.z, abs(to - from) * slide);
+    seen = seen * max(min(middle + half, sum) - max(middle - half, lowest), Real(0));
+    whole = whole * max(half + half, sum * T(1e-6));
   };
-  const Real seen = share(place.x, light.x, extent.x) * share(place.y, light.y, extent.y);
-  return select(place.z > Real(0), min(seen, Real(1)), Real(0));
+  cut(place.x, light.x, extent.x);
+  cut(place.y, light.y, extent.y);
+  return select(place.z > Real(0) && seen > Real(0), seen / whole, Real(0));
 }
 
 /// Which face the points of `active` are on, by primitive and outward normal; kNoMirror for none.
