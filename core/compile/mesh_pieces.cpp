@@ -73,9 +73,9 @@ double smallest_piece(const Mesh& mesh) {
                                  [&](const auto& t) { return sets.root(t[0]) == first; });
   if (!whole) join_equal(mesh.positions, sets);
   // By root; positions of no triangle stay out.
-  std::vector<Bounds> pieces(mesh.positions.size());
+  std::vector<Bounds> pieces(whole ? 1 : mesh.positions.size());
   for (const auto& t : mesh.triangles) {
-    Bounds& piece = pieces[sets.root(t[0])];
+    Bounds& piece = pieces[whole ? 0 : sets.root(t[0])];
     for (const std::uint32_t corner : t) piece.add(mesh.positions[corner]);
   }
   double smallest = std::numeric_limits<double>::infinity();
