@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/proof/chi_square.h"
 #include "app/stress/scenes.h"
@@ -17,7 +16,6 @@ namespace lightbench::stress {
 using namespace proof;
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kSide = 512;
 constexpr std::size_t kSamples = 1 << 15;
 constexpr double kRadius = 1.5;  ///< of the filters
