@@ -219,7 +219,7 @@ BvhBox outward_box(const double (&lo)[3], const double (&hi)[3]) {
 }
 
 Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf,
-              unsigned threads) {
+              Team& team) {
   if (boxes.empty()) {
     Bvh empty;
     empty.nodes.push_back({});
@@ -230,16 +230,20 @@ Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, 
     if (!boxes_end.empty()) empty.motion.push_back({});
     return empty;
   }
-  if (threads == 0) threads = processor_count();
   std::vector<BvhBox> whole(boxes_end.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     whole[i] = boxes[i];
     grow(whole[i], boxes_end[i]);
   }
   const BinaryTree tree =
-      build_binary_tree(boxes_end.empty() ? boxes : std::span<const BvhBox>(whole), leaf, threads);
+      build_binary_tree(boxes_end.empty() ? boxes : std::span<const BvhBox>(whole), leaf, team);
   const Collapse collapse(tree, leaf);
   return Writer(tree, collapse, boxes, boxes_end, leaf).write();
+}
+
+Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf) {
+  Team alone(1);
+  return build_bvh(boxes, boxes_end, leaf, alone);
 }
 
 }  // namespace lightbench

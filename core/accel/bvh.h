@@ -10,6 +10,8 @@
 
 namespace lightbench {
 
+class Team;
+
 /// Float box that contains a double one (rounded outward).
 struct BvhBox {
   float lo[3];
@@ -30,9 +32,11 @@ struct Bvh {
 };
 
 /// Boxes at time 0 and, if anything moves, at time 1 (else empty). Fewer than 2^24 leaves; throws
-/// Error{Scene} beyond. No boxes give one node that no ray meets. `threads` 0: the processor's; the
-/// tree is the same for any number.
+/// Error{Scene} beyond. No boxes give one node that no ray meets. The
+/// tree is the same for any number of threads.
 Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf,
-              unsigned threads = 0);
+              Team& team);
+/// On this thread alone.
+Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf);
 
 }  // namespace lightbench

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 #include "core/parallel.h"
@@ -24,9 +25,9 @@ typedef std::int32_t FourInts __attribute__((vector_size(16)));
 Four min(Four a, Four b) { return a < b ? a : b; }
 Four max(Four a, Four b) { return a > b ? a : b; }
 
-/// A box in vectors.
+/// A box in vectors; not initialised.
 struct Box {
-  Four lo{kInf, kInf, kInf, kInf}, hi{-kInf, -kInf, -kInf, -kInf};
+  Four lo, hi;
   void grow(const Box& b) {
     lo = min(lo, b.lo);
     hi = max(hi, b.hi);
@@ -37,6 +38,8 @@ struct Box {
   }
   [[nodiscard]] Four twice_center() const { return lo + hi; }
 };
+
+constexpr Box kEmpty{Four{kInf, kInf, kInf, kInf}, Four{-kInf, -kInf, -kInf, -kInf}};
 
 Box to_box(const BvhBox& b) {
   return {Four{b.lo[0], b.lo[1], b.lo[2], 0}, Four{b.hi[0], b.hi[1], b.hi[2], 0}};
@@ -64,6 +67,9 @@ struct Binning {
 struct Bins {
   std::array<std::array<Box, kBins>, 3> box;
   std::array<std::array<std::uint32_t, kBins>, 3> count{};
+  Bins() {
+    for (auto& axis : box) axis.fill(kEmpty);
+  }
 };
 
 void add(const Bins& from, Bins& into) {
@@ -79,7 +85,7 @@ struct Split {
   int axis = 0, bin = -1;  ///< the left part's last bin; negative: no split
   float cost = kInf;       ///< expected cost of both parts times the area of their parent
   std::uint32_t left_count = 0;
-  Box left, right;
+  Box left = kEmpty, right = kEmpty;
 };
 
 Split best_split(const Bins& bins, std::uint32_t count, BvhLeaf leaf) {
@@ -87,14 +93,14 @@ Split best_split(const Bins& bins, std::uint32_t count, BvhLeaf leaf) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& box = bins.box[axis];
     std::array<float, kBins> right_cost{};
-    Box right;
+    Box right = kEmpty;
     std::uint32_t n = 0;
     for (std::size_t b = kBins - 1; b > 0; --b) {
       right.grow(box[b]);
       n += bins.count[axis][b];
       right_cost[b] = half_area(to_bvh_box(right)) * leaf_cost(leaf, n);
     }
-    Box left;
+    Box left = kEmpty;
     n = 0;
     for (std::size_t b = 0; b + 1 < kBins; ++b) {
       left.grow(box[b]);
@@ -120,26 +126,29 @@ Split best_split(const Bins& bins, std::uint32_t count, BvhLeaf leaf) {
 
 class Builder {
  public:
-  Builder(std::span<const BvhBox> boxes, BvhLeaf leaf, unsigned threads)
-      : leaf_(leaf), threads_(boxes.size() > kRun ? threads : 1) {
+  Builder(std::span<const BvhBox> boxes, BvhLeaf leaf, Team& team) : leaf_(leaf), team_(team) {
+    // Their memory is first touched by the threads that fill it.
     for (Buffer& b : buffers_) {
-      b.box.resize(boxes.size());
-      b.item.resize(boxes.size());
+      b.box = std::make_unique_for_overwrite<Box[]>(boxes.size());
+      b.item = std::make_unique_for_overwrite<std::uint32_t[]>(boxes.size());
     }
-    parallel_runs(threads_, boxes.size(), kRun, [&](std::size_t begin, std::size_t end) {
+    std::vector<Box> parts((boxes.size() + kRun - 1) / kRun);
+    team_.runs(boxes.size(), kRun, [&](std::size_t begin, std::size_t end) {
+      Box part = kEmpty;
       for (std::size_t i = begin; i < end; ++i) {
         buffers_[0].box[i] = to_box(boxes[i]);
         buffers_[0].item[i] = static_cast<std::uint32_t>(i);
+        part.grow(buffers_[0].box[i]);
       }
+      parts[begin / kRun] = part;
     });
+    for (const Box& part : parts) whole_.grow(part);
     tree_.items.resize(boxes.size());
   }
 
   BinaryTree build() {
-    Box whole;
-    for (const Box& b : buffers_[0].box) whole.grow(b);
     // Long ranges are split by all threads together, what is left by one thread each.
-    std::vector<Range> open{{0, static_cast<std::uint32_t>(tree_.items.size()), 0, 0, whole}};
+    std::vector<Range> open{{0, static_cast<std::uint32_t>(tree_.items.size()), 0, 0, whole_}};
     std::vector<Range> short_ranges;
     std::vector<std::size_t> node_of_short;
     std::vector<std::size_t> node_of_open{0};
@@ -155,7 +164,7 @@ class Builder {
         continue;
       }
       Range left, right;
-      if (!split(range, threads_, left, right)) {
+      if (!split(range, left, right)) {
         finish_leaf(range);
         continue;
       }
@@ -169,7 +178,7 @@ class Builder {
       node_of_open.push_back(tree_.nodes.size() - 1);
     }
     std::vector<std::vector<BinaryNode>> subtrees(short_ranges.size());
-    parallel_for(threads_, short_ranges.size(), [&](std::size_t i) {
+    team_.each(short_ranges.size(), [&](std::size_t i) {
       subtrees[i].reserve(short_ranges[i].count / 2);
       build_alone(short_ranges[i], subtrees[i]);
     });
@@ -180,8 +189,8 @@ class Builder {
  private:
   /// Boxes and their numbers; a range lies in one of two, and its parts in the other.
   struct Buffer {
-    std::vector<Box> box;
-    std::vector<std::uint32_t> item;
+    std::unique_ptr<Box[]> box;
+    std::unique_ptr<std::uint32_t[]> item;
   };
   struct Range {
     std::uint32_t first, count;
@@ -195,7 +204,7 @@ class Builder {
   }
 
   void finish_leaf(const Range& r) {
-    const auto from = buffers_[r.buffer].item.begin() + r.first;
+    const std::uint32_t* from = buffers_[r.buffer].item.get() + r.first;
     std::copy(from, from + r.count, tree_.items.begin() + r.first);
   }
 
@@ -203,7 +212,7 @@ class Builder {
     const auto at = static_cast<std::size_t>(nodes.size());
     nodes.push_back(new_node(range));
     Range left, right;
-    if (!split(range, 1, left, right)) {
+    if (!split(range, left, right)) {
       finish_leaf(range);
       return static_cast<int>(at);
     }
@@ -229,18 +238,18 @@ class Builder {
   }
 
   /// Splits a range in two, or returns false where it is to be a leaf.
-  bool split(const Range& range, unsigned threads, Range& left, Range& right) {
+  bool split(const Range& range, Range& left, Range& right) {
     const std::uint32_t largest_leaf = leaf_ == BvhLeaf::Blocks ? kBvhWidth : 4;
     if (range.count == 1 || (leaf_ == BvhLeaf::Blocks && range.count <= kBvhWidth)) return false;
-    const Box centers = center_box(range, threads);
+    const Box centers = center_box(range);
     Split best;
     if (range.depth < kMaxSahDepth) {
       const Binning binning(centers);
-      best = best_split(fill_bins(range, binning, threads), range.count, leaf_);
+      best = best_split(fill_bins(range, binning), range.count, leaf_);
       const float area = half_area(to_bvh_box(range.box));
       const float cost = best.bin >= 0 && area > 0 ? 1 + best.cost / area : kInf;
       if (range.count <= largest_leaf && !(cost < leaf_cost(leaf_, range.count))) return false;
-      if (best.bin >= 0) partition(range, binning, best, threads);
+      if (best.bin >= 0) partition(range, binning, best);
     } else if (range.count <= largest_leaf) {
       return false;
     }
@@ -252,21 +261,25 @@ class Builder {
   }
 
   /// Twice the centres' bounds.
-  Box center_box(const Range& r, unsigned threads) {
-    const Box* boxes = buffers_[r.buffer].box.data() + r.first;
-    std::vector<Box> parts((r.count + kRun - 1) / kRun);
-    parallel_runs(threads, r.count, kRun, [&](std::size_t begin, std::size_t end) {
-      Box b;
+  Box center_box(const Range& r) {
+    const Box* boxes = buffers_[r.buffer].box.get() + r.first;
+    const auto measure = [&](std::size_t begin, std::size_t end) {
+      Box b = kEmpty;
       for (std::size_t i = begin; i < end; ++i) b.grow(boxes[i].twice_center());
-      parts[begin / kRun] = b;
+      return b;
+    };
+    if (r.count <= kRun) return measure(0, r.count);
+    std::vector<Box> parts((r.count + kRun - 1) / kRun);
+    team_.runs(r.count, kRun, [&](std::size_t begin, std::size_t end) {
+      parts[begin / kRun] = measure(begin, end);
     });
-    Box all;
+    Box all = kEmpty;
     for (const Box& b : parts) all.grow(b);
     return all;
   }
 
-  Bins fill_bins(const Range& r, const Binning& binning, unsigned threads) {
-    const Box* boxes = buffers_[r.buffer].box.data() + r.first;
+  Bins fill_bins(const Range& r, const Binning& binning) {
+    const Box* boxes = buffers_[r.buffer].box.get() + r.first;
     const auto fill = [&](std::size_t begin, std::size_t end, Bins& bins) {
       for (std::size_t i = begin; i < end; ++i) {
         const FourInts bin = binning.of(boxes[i]);
@@ -283,15 +296,14 @@ class Builder {
       return all;
     }
     std::vector<Bins> parts((r.count + kRun - 1) / kRun);
-    parallel_runs(threads, r.count, kRun, [&](std::size_t begin, std::size_t end) {
-      fill(begin, end, parts[begin / kRun]);
-    });
+    team_.runs(r.count, kRun,
+               [&](std::size_t begin, std::size_t end) { fill(begin, end, parts[begin / kRun]); });
     for (const Bins& b : parts) add(b, all);
     return all;
   }
 
   /// Moves the range to the other buffer, the left part first; each part keeps its order.
-  void partition(const Range& r, const Binning& binning, const Split& s, unsigned threads) {
+  void partition(const Range& r, const Binning& binning, const Split& s) {
     const Buffer& from = buffers_[r.buffer];
     Buffer& to = buffers_[1 - r.buffer];
     const auto is_left = [&](std::size_t i) {
@@ -312,13 +324,13 @@ class Builder {
       return;
     }
     std::vector<std::size_t> left_before((r.count + kRun - 1) / kRun + 1);
-    parallel_runs(threads, r.count, kRun, [&](std::size_t begin, std::size_t end) {
+    team_.runs(r.count, kRun, [&](std::size_t begin, std::size_t end) {
       std::size_t n = 0;
       for (std::size_t i = begin; i < end; ++i) n += is_left(i) ? 1 : 0;
       left_before[begin / kRun + 1] = n;
     });
     std::partial_sum(left_before.begin(), left_before.end(), left_before.begin());
-    parallel_runs(threads, r.count, kRun, [&](std::size_t begin, std::size_t end) {
+    team_.runs(r.count, kRun, [&](std::size_t begin, std::size_t end) {
       const std::size_t left = left_before[begin / kRun];
       move(begin, end, left, s.left_count + (begin - left));
     });
@@ -348,15 +360,16 @@ class Builder {
   }
 
   BvhLeaf leaf_;
-  unsigned threads_;
+  Team& team_;
   std::array<Buffer, 2> buffers_;
+  Box whole_ = kEmpty;
   BinaryTree tree_;
 };
 
 }  // namespace
 
-BinaryTree build_binary_tree(std::span<const BvhBox> boxes, BvhLeaf leaf, unsigned threads) {
-  return Builder(boxes, leaf, threads).build();
+BinaryTree build_binary_tree(std::span<const BvhBox> boxes, BvhLeaf leaf, Team& team) {
+  return Builder(boxes, leaf, team).build();
 }
 
 }  // namespace lightbench

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accel/bvh.h"
+#include "core/parallel.h"
 
 namespace lightbench {
 
@@ -35,6 +36,6 @@ inline float leaf_cost(BvhLeaf leaf, std::uint32_t n) {
 }
 
 /// `boxes` must not be empty.
-BinaryTree build_binary_tree(std::span<const BvhBox> boxes, BvhLeaf leaf, unsigned threads);
+BinaryTree build_binary_tree(std::span<const BvhBox> boxes, BvhLeaf leaf, Team& team);
 
 }  // namespace lightbench

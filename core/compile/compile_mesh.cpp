@@ -14,10 +14,10 @@ constexpr std::size_t kRun = 16384;
 
 /// Vertices as the kernel will hold them, in the mesh's own space.
 template <class T>
-std::vector<glm::vec<3, T>> to_mesh_space(const MeshPart<T>& part, unsigned threads) {
+std::vector<glm::vec<3, T>> to_mesh_space(const MeshPart<T>& part, Team& team) {
   const std::vector<glm::dvec3>& positions = part.source->positions;
   std::vector<glm::vec<3, T>> vertices(positions.size());
-  parallel_runs(threads, positions.size(), kRun, [&](std::size_t begin, std::size_t end) {
+  team.runs(positions.size(), kRun, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       vertices[i] = glm::vec<3, T>((positions[i] - part.center) * part.scale);
     }
@@ -28,9 +28,9 @@ std::vector<glm::vec<3, T>> to_mesh_space(const MeshPart<T>& part, unsigned thre
 /// Boxes that contain exactly these triangles.
 template <class T>
 std::vector<BvhBox> triangle_boxes(const Mesh& mesh, const std::vector<glm::vec<3, T>>& vertices,
-                                   unsigned threads) {
+                                   Team& team) {
   std::vector<BvhBox> boxes(mesh.triangles.size());
-  parallel_runs(threads, boxes.size(), kRun, [&](std::size_t begin, std::size_t end) {
+  team.runs(boxes.size(), kRun, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       double lo[3], hi[3];
       const auto& t = mesh.triangles[i];
@@ -52,7 +52,8 @@ std::vector<BvhBox> triangle_boxes(const Mesh& mesh, const std::vector<glm::vec<
 template <class T>
 std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh>& mesh,
                                                 unsigned threads) {
-  if (threads == 0) threads = processor_count();
+  constexpr std::size_t kLarge = 2 * kRun;  // smaller ones are done before another thread wakes
+  Team team(mesh->triangles.size() > kLarge ? threads : 1);
   auto part = std::make_shared<MeshPart<T>>();
   part->source = mesh;
   const Bounds bounds = mesh_bounds(*mesh);
@@ -61,15 +62,15 @@ std::shared_ptr<const MeshPart<T>> compile_mesh(const std::shared_ptr<const Mesh
   const double extent = std::max({size.x, size.y, size.z});
   part->scale = unit_scale<T>(extent);
 
-  const std::vector<glm::vec<3, T>> vertices = to_mesh_space(*part, threads);
-  Bvh bvh = build_bvh(triangle_boxes(*mesh, vertices, threads), {}, BvhLeaf::Blocks, threads);
+  const std::vector<glm::vec<3, T>> vertices = to_mesh_space(*part, team);
+  Bvh bvh = build_bvh(triangle_boxes(*mesh, vertices, team), {}, BvhLeaf::Blocks, team);
   part->nodes = std::move(bvh.nodes);
   part->slot_triangle = std::move(bvh.items);
   part->nodes.shrink_to_fit();
   part->slot_triangle.shrink_to_fit();
   part->triangle_slot.resize(mesh->triangles.size());
   part->blocks.resize(part->slot_triangle.size() / kBvhWidth);
-  parallel_runs(threads, part->slot_triangle.size(), kRun, [&](std::size_t begin, std::size_t end) {
+  team.runs(part->slot_triangle.size(), kRun, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       if (part->slot_triangle[s] == Bvh::kPadding) continue;
       part->triangle_slot[part->slot_triangle[s]] = static_cast<std::uint32_t>(s);

@@ -10,6 +10,8 @@
 #include <limits>
 #include <random>
 
+#include "core/parallel.h"
+
 namespace lightbench {
 namespace {
 
@@ -198,11 +200,12 @@ TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < 30000; ++i) boxes[i] = boxes[i % 7];  // ties: order must decide
   const auto end = random_boxes(60000, 11, 10, 0.1F);
   for (const BvhLeaf leaf : {BvhLeaf::Items, BvhLeaf::Blocks}) {
-    const Bvh alone = build_bvh(boxes, {}, leaf, 1), moving = build_bvh(boxes, end, leaf, 1);
+    const Bvh alone = build_bvh(boxes, {}, leaf), moving = build_bvh(boxes, end, leaf);
     Walk(alone, boxes, {}, leaf).run();
     for (const unsigned threads : {2U, 3U, 16U, 0U}) {
-      EXPECT_TRUE(same_tree(alone, build_bvh(boxes, {}, leaf, threads))) << threads;
-      EXPECT_TRUE(same_tree(moving, build_bvh(boxes, end, leaf, threads))) << threads;
+      Team team(threads);
+      EXPECT_TRUE(same_tree(alone, build_bvh(boxes, {}, leaf, team))) << threads;
+      EXPECT_TRUE(same_tree(moving, build_bvh(boxes, end, leaf, team))) << threads;
     }
   }
 }

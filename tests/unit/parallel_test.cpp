@@ -13,9 +13,10 @@ namespace {
 
 TEST(Parallel, EveryIndexIsVisitedOnce) {
   for (const unsigned threads : {0U, 1U, 2U, 9U}) {
+    Team team(threads);
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
       std::vector<std::atomic<int>> visits(count);
-      parallel_for(threads, count, [&](std::size_t i) { ++visits[i]; });
+      team.each(count, [&](std::size_t i) { ++visits[i]; });
       for (const auto& n : visits) EXPECT_EQ(n, 1) << threads;
     }
   }
@@ -23,7 +24,7 @@ TEST(Parallel, EveryIndexIsVisitedOnce) {
 
 TEST(Parallel, RunsCoverTheWhole) {
   std::vector<std::atomic<int>> visits(1001);
-  parallel_runs(3, visits.size(), 64, [&](std::size_t begin, std::size_t end) {
+  Team(3).runs(visits.size(), 64, [&](std::size_t begin, std::size_t end) {
     EXPECT_LE(end - begin, 64U);
     for (std::size_t i = begin; i < end; ++i) ++visits[i];
   });
@@ -33,7 +34,7 @@ TEST(Parallel, RunsCoverTheWhole) {
 TEST(Parallel, AnErrorComesBackAndEndsTheLoop) {
   std::atomic<int> begun{0};
   const auto run = [&] {
-    parallel_for(2, 1000000, [&](std::size_t i) {
+    Team(2).each(1000000, [&](std::size_t i) {
       ++begun;
       if (i == 10) throw std::runtime_error("eleven");
     });

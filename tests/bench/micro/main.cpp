@@ -4,10 +4,14 @@
 #include <benchmark/benchmark.h>
 
 namespace lightbench::micro {
+void add_building();
+void add_functions();
 void add_traversal();
 }  // namespace lightbench::micro
 
 int main(int argc, char** argv) {
+  lightbench::micro::add_functions();
+  lightbench::micro::add_building();
   lightbench::micro::add_traversal();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

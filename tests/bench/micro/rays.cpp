@@ -79,16 +79,27 @@ RaySet bounces(const Mesh& mesh, std::size_t count) {
   return padded(std::move(rays));
 }
 
-RaySet chords(const Mesh& mesh, std::size_t count) {
-  const Bounds bounds = mesh_bounds(mesh);
-  const double radius = glm::length(bounds.size()) / 2;
+namespace {
+
+RaySet chords_of(const glm::dvec3& center, double radius, std::size_t count) {
   Random random;
   RaySet rays;
   while (rays.t_max.size() < count) {
     const glm::dvec3 a = random.direction(), b = random.direction();
-    add(rays, bounds.center() + radius * a, glm::normalize(b - a), kInf);
+    add(rays, center + radius * a, glm::normalize(b - a), kInf);
   }
   return padded(std::move(rays));
+}
+
+}  // namespace
+
+RaySet chords(const Mesh& mesh, std::size_t count) {
+  const Bounds bounds = mesh_bounds(mesh);
+  return chords_of(bounds.center(), glm::length(bounds.size()) / 2, count);
+}
+
+RaySet chords_of_ball(double radius, std::size_t count) {
+  return chords_of(glm::dvec3(0), radius, count);
 }
 
 RaySet segments(const Mesh& mesh, std::size_t count) {

@@ -25,6 +25,9 @@ RaySet bounces(const Mesh& mesh, std::size_t count);
 /// Random chords of the sphere around the mesh.
 RaySet chords(const Mesh& mesh, std::size_t count);
 
+/// Random chords of the sphere around 0.
+RaySet chords_of_ball(double radius, std::size_t count);
+
 /// From random points of the mesh to random points of its bounding box: shadow rays.
 RaySet segments(const Mesh& mesh, std::size_t count);
 

@@ -1,5 +1,9 @@
 #include "tests/bench/micro/subjects.h"
 
+#include <array>
+#include <iterator>
+#include <optional>
+
 #include "core/compile/render_space.h"
 #include "tests/bench/micro/models.h"
 
@@ -18,9 +22,8 @@ RaySet to_render(const RenderSpace& space, RaySet rays) {
   return rays;
 }
 
-Subject make(const std::string& name, Mesh model) {
+Subject make(Mesh model) {
   Subject s;
-  s.name = name;
   s.mesh = std::make_shared<const Mesh>(std::move(model));
   s.scene = compile(scene_of(s.mesh), KernelKind::Scalar);
   const RenderSpace& space = s.parts().geometry->space;
@@ -49,16 +52,13 @@ Scene scene_of(std::shared_ptr<const Mesh> mesh) {
   return scene;
 }
 
-const std::vector<Subject>& subjects() {
-  static const std::vector<Subject> all = [] {
-    std::vector<Subject> made;
-    made.push_back(make("sphere-70k", bumpy_sphere(70000)));
-    made.push_back(make("sphere-300k", bumpy_sphere(300000)));
-    made.push_back(make("hall-70k", column_hall(70000)));
-    made.push_back(make("hall-300k", column_hall(300000)));
-    return made;
-  }();
-  return all;
+const Subject& subject(std::size_t i) {
+  static std::array<std::optional<Subject>, std::size(kSubjects)> made;
+  if (!made.at(i)) {
+    const int triangles = i % 2 == 0 ? 70000 : 300000;
+    made.at(i) = make(i < 2 ? bumpy_sphere(triangles) : column_hall(triangles));
+  }
+  return *made.at(i);
 }
 
 }  // namespace lightbench::micro

@@ -13,7 +13,6 @@ namespace lightbench::micro {
 
 /// A scene of one mesh.
 struct Subject {
-  std::string name;
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const RenderScene> scene;    ///< for the float kernels
   RaySet bounces, chords, segments;            ///< render space
@@ -26,7 +25,9 @@ struct Subject {
 
 Scene scene_of(std::shared_ptr<const Mesh> mesh);
 
-/// "sphere-70k", "sphere-300k", "hall-70k", "hall-300k".
-const std::vector<Subject>& subjects();
+inline constexpr const char* kSubjects[] = {"sphere-70k", "sphere-300k", "hall-70k", "hall-300k"};
+
+/// Made when first asked for.
+const Subject& subject(std::size_t i);
 
 }  // namespace lightbench::micro

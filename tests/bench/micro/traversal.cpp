@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <iterator>
 
 #include "core/compile/render_scene.h"
 #include "tests/bench/micro/subjects.h"
@@ -27,11 +28,18 @@ void run_ours(benchmark::State& state, const Subject& s, Kind kind, Trace trace)
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size));
 }
 
-void add_target(const Subject& s, Kind kind, const char* target, const KernelLoops<float>& loops) {
+void add_line(std::size_t i, Kind kind, const std::string& who, auto run) {
+  const std::string name =
+      std::string(kSubjects[i]) + "/" + kKindNames[static_cast<int>(kind)] + "/" + who;
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [i, run](benchmark::State& state) { run(state, subject(i)); });
+}
+
+void add_target(std::size_t i, Kind kind, const char* target, const KernelLoops<float>& loops) {
   const Trace trace = kind == Kind::Segments ? loops.any : loops.closest;
-  benchmark::RegisterBenchmark(
-      (s.name + "/" + kKindNames[static_cast<int>(kind)] + "/" + target).c_str(),
-      [&s, kind, trace](benchmark::State& state) { run_ours(state, s, kind, trace); });
+  add_line(i, kind, target, [kind, trace](benchmark::State& state, const Subject& s) {
+    run_ours(state, s, kind, trace);
+  });
 }
 
 #ifdef LIGHTBENCH_EMBREE
@@ -71,13 +79,12 @@ void run_embree(benchmark::State& state, const Subject& s, Kind kind, bool robus
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size));
 }
 
-void add_embree(const Subject& s, Kind kind) {
+void add_embree(std::size_t i, Kind kind) {
   for (const bool robust : {true, false}) {
-    benchmark::RegisterBenchmark(
-        (s.name + "/" + kKindNames[static_cast<int>(kind)] +
-         (robust ? "/embree-robust" : "/embree-fast"))
-            .c_str(),
-        [&s, kind, robust](benchmark::State& state) { run_embree(state, s, kind, robust); });
+    add_line(i, kind, robust ? "embree-robust" : "embree-fast",
+             [kind, robust](benchmark::State& state, const Subject& s) {
+               run_embree(state, s, kind, robust);
+             });
   }
 }
 #endif
@@ -85,15 +92,15 @@ void add_embree(const Subject& s, Kind kind) {
 }  // namespace
 
 void add_traversal() {
-  for (const Subject& s : subjects()) {
+  for (std::size_t i = 0; i < std::size(kSubjects); ++i) {
     for (const Kind kind : {Kind::Bounces, Kind::Chords, Kind::Segments}) {
 #ifdef LIGHTBENCH_X86
-      if (kernel_supported(KernelKind::Avx512)) add_target(s, kind, "avx512", avx512::loops);
-      if (kernel_supported(KernelKind::Avx2)) add_target(s, kind, "avx2", avx2::loops);
+      if (kernel_supported(KernelKind::Avx512)) add_target(i, kind, "avx512", avx512::loops);
+      if (kernel_supported(KernelKind::Avx2)) add_target(i, kind, "avx2", avx2::loops);
 #endif
-      add_target(s, kind, "scalar", scalar::loops);
+      add_target(i, kind, "scalar", scalar::loops);
 #ifdef LIGHTBENCH_EMBREE
-      add_embree(s, kind);
+      add_embree(i, kind);
 #endif
     }
   }
