@@ -106,6 +106,11 @@ Scene bench_scene(const BenchOptions& options, const std::string& file,
                                    definitions.end());
   Scene scene = load_scene(scene_options);
   RenderSettings& render = scene.render;
+  if (render.adaptive) {
+    throw Error(
+        ErrorKind::Usage,
+        "--adaptive: a benchmark's errors are those of equal counts; expected adaptive off");
+  }
   const int longest = std::max(render.width, render.height);
   if (options.scene.resolution.empty() && options.scene.crop.empty() && longest > kBenchSize) {
     render.width = std::max(1, render.width * kBenchSize / longest);

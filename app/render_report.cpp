@@ -54,6 +54,8 @@ std::string stats_json(const RenderReport& report, const Scene& scene) {
       {"stoppedBy", report.stopped_by},
       {"spp", status.spp},
       {"targetSpp", status.target_spp},
+      {"leastSamples", status.samples.least},
+      {"mostSamples", status.samples.most},
       {"renderSeconds", status.seconds},
       {"wallSeconds", report.wall_seconds},
       {"compileSeconds", status.scene.compile_seconds},

@@ -58,6 +58,10 @@ void add_scene_options(CLI::App& app, SceneOptions& options, SceneArgument argum
   app.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
   app.add_option("--exposure", options.exposure, "Exposure of PNG and PPM output")
       ->type_name("STOPS");
+  CLI::Option* adaptive =
+      app.add_flag("--adaptive", options.adaptive, "More samples where there is more noise");
+  app.add_flag("--no-adaptive", options.uniform, "As many samples for each pixel")
+      ->excludes(adaptive);
   app.add_option("-t,--threads", options.threads,
                  "Rendering threads: 0 = all, negative = all minus that many")
       ->type_name("N");
@@ -90,6 +94,7 @@ Scene load_scene(const SceneOptions& options) {
     render.seed = parse_number<std::uint32_t>(flag, text, 0, UINT32_MAX,
                                               "a whole number from 0 to 4294967295");
   });
+  if (options.adaptive || options.uniform) render.adaptive = options.adaptive;
   apply(scene, "--exposure", options.exposure, [&](const auto& flag, const auto& text) {
     scene.display.exposure =
         parse_number(flag, text, -100.0, 100.0, "a number of stops from -100 to 100");

@@ -23,6 +23,7 @@ struct SceneOptions {
   std::string depth;
   std::string seed;
   std::string exposure;
+  bool adaptive = false, uniform = false;
   std::string kernel = "auto";
   std::string threads;
 };

@@ -52,6 +52,11 @@ void draw_statistics_panel(Workbench& bench) {
     const SessionStatus& status = bench.status;
     if (section("Progress")) {
       value_row("Samples", format_integer(status.spp) + " spp");
+      if (bench.editor.scene.render.adaptive) {
+        value_row("Of a pixel", format_integer(status.samples.least) + " to " +
+                                    format_integer(status.samples.most));
+        tip_for_last("Least and most samples of any pixel; the line above is their average");
+      }
       value_row("Target", target_of(status));
       value_row("Elapsed", format_duration(status.seconds));
       const bool running = status.state == SessionState::Rendering;

@@ -28,13 +28,20 @@ KernelKind best_kernel(Precision precision);
 /// False for kernels whose instruction set this processor lacks. Auto is always supported.
 bool kernel_supported(KernelKind kind);
 
-/// A rectangle of film pixels and a range of sample indices. `stride` d > 1 renders the quick look:
-/// film pixel (x, y) covers d x d pixels of the picture.
+/// Consecutive sample indices of one pixel.
+struct SampleRange {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// A rectangle of film pixels and a range of sample indices, or one for each pixel in `ranges`, row
+/// by row. `stride` d > 1 renders the quick look: film pixel (x, y) covers d x d pixels of the
+/// picture.
 struct Work {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::uint32_t first_sample = 0;
   std::uint32_t sample_count = 1;
   int stride = 1;
+  const SampleRange* ranges = nullptr;  ///< then the two above mean nothing
 };
 
 /// One line of `lightbench info`: a feature the kernel has and whether this scene uses it.

@@ -52,6 +52,12 @@ void write_means(const FilmPixel* pixels, std::size_t count, double unit, std::u
   }
 }
 
+Moments moments(const FilmPixel& sum, double count) {
+  const double first = kStep * luminance(sum);
+  const double second = kSquareStep * static_cast<double>(sum.luminance_squared);
+  return {first / count, std::max(0.0, (second - first * first / count) / (count - 1))};
+}
+
 Image Film::mean(std::uint32_t spp) const {
   Image image{width_, height_, std::vector<float>(3 * pixels_.size())};
   if (spp > 0) write_means(pixels_.data(), pixels_.size(), unit_, spp, image.rgb.data());
@@ -61,12 +67,8 @@ Image Film::mean(std::uint32_t spp) const {
 std::vector<float> Film::variance(std::uint32_t spp) const {
   std::vector<float> variance(pixels_.size());
   if (spp < 2) return variance;
-  const double n = spp;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const double first = kStep * luminance(pixels_[i]);  // in units, as is the next
-    const double second = kSquareStep * static_cast<double>(pixels_[i].luminance_squared);
-    const double unbiased = (second - first * first / n) / (n - 1);
-    variance[i] = static_cast<float>(unit_ * unit_ * std::max(0.0, unbiased));
+    variance[i] = static_cast<float>(unit_ * unit_ * moments(pixels_[i], spp).variance);
   }
   return variance;
 }

@@ -35,6 +35,13 @@ struct FilmView {
 void write_means(const FilmPixel* pixels, std::size_t count, double unit, std::uint32_t spp,
                  float* rgb);
 
+/// Mean and unbiased variance (of one sample) of a pixel's luminance over `count` samples, at least
+/// 2, in film units; the variance is never negative.
+struct Moments {
+  double mean = 0, variance = 0;
+};
+Moments moments(const FilmPixel& sum, double count);
+
 /// Not thread-safe as a whole; different pixels may be written by different threads.
 class Film {
  public:

@@ -12,12 +12,16 @@ LIGHTBENCH_KERNEL_BEGIN
 class Jobs {
  public:
   Jobs(const Work& work, int film_width)
-      : work_(work),
-        x_(work.x0),
-        y_(work.y0),
-        film_width_(film_width),
-        left_(static_cast<std::uint64_t>(work.x1 - work.x0) *
-              static_cast<std::uint64_t>(work.y1 - work.y0) * work.sample_count) {}
+      : work_(work), x_(work.x0), y_(work.y0), film_width_(film_width), range_(work.ranges) {
+    const auto pixels = static_cast<std::uint64_t>(work.x1 - work.x0) *
+                        static_cast<std::uint64_t>(work.y1 - work.y0);
+    if (range_ == nullptr) {
+      left_ = pixels * work.sample_count;
+    } else {
+      for (std::uint64_t i = 0; i < pixels; ++i) left_ += range_[i].count;
+    }
+    if (left_ > 0) begin_pixel();
+  }
 
   [[nodiscard]] std::uint64_t left() const { return left_; }
 
@@ -27,24 +31,40 @@ class Jobs {
   };
   /// left() > 0.
   Job take() {
-    const Job job{x_, y_, static_cast<std::uint32_t>(y_ * film_width_ + x_),
-                  work_.first_sample + sample_};
+    const Job job{x_, y_, static_cast<std::uint32_t>(y_ * film_width_ + x_), sample_++};
     --left_;
-    if (++sample_ == work_.sample_count) {
-      sample_ = 0;
-      if (++x_ == work_.x1) {
-        x_ = work_.x0;
-        ++y_;
-      }
+    if (--left_of_pixel_ == 0 && left_ > 0) {
+      next_pixel();
+      begin_pixel();
     }
     return job;
   }
 
  private:
+  void next_pixel() {
+    if (++x_ == work_.x1) {
+      x_ = work_.x0;
+      ++y_;
+    }
+    if (range_ != nullptr) ++range_;
+  }
+  /// Of the pixel at hand or, as far as it has none, the next that has samples; left_ > 0.
+  void begin_pixel() {
+    if (range_ == nullptr) {
+      sample_ = work_.first_sample;
+      left_of_pixel_ = work_.sample_count;
+      return;
+    }
+    while (range_->count == 0) next_pixel();
+    sample_ = range_->first;
+    left_of_pixel_ = range_->count;
+  }
+
   const Work& work_;
   int x_, y_, film_width_;
-  std::uint32_t sample_ = 0;
-  std::uint64_t left_;
+  const SampleRange* range_;  // of the pixel at hand, null if all pixels have the same
+  std::uint32_t sample_ = 0, left_of_pixel_ = 0;
+  std::uint64_t left_ = 0;
 };
 
 /// Camera rays made a full set of lanes at a time and handed out to the lanes that fall free, which

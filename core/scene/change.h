@@ -11,7 +11,7 @@ enum class Change : std::uint32_t {
   None = 0,
   Display = 1 << 0,     ///< exposure, tone map, names: no pixel of the render changes
   Target = 1 << 1,      ///< spp, time limit, snapshots: the render continues
-  Settings = 1 << 2,    ///< depth, strategy, seed, filter
+  Settings = 1 << 2,    ///< depth, strategy, seed, filter, adaptive
   Resolution = 1 << 3,  ///< width, height, crop
   Camera = 1 << 4,
   Environment = 1 << 5,

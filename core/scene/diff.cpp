@@ -33,6 +33,7 @@ Change diff_render(const RenderSettings& a, const RenderSettings& b) {
          when(a.strategy, b.strategy, Change::Settings) |
          when(a.light_choice, b.light_choice, Change::Settings) |
          when(a.sampler, b.sampler, Change::Settings) | when(a.seed, b.seed, Change::Settings) |
+         when(a.adaptive, b.adaptive, Change::Settings) |
          when(a.filter, b.filter, Change::Settings) |
          when(a.filter_radius, b.filter_radius, Change::Settings);
 }

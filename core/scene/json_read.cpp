@@ -91,6 +91,7 @@ void read_render(const JsonCursor& cursor, RenderSettings& render) {
   fields.optional_name("lightChoice", kLightChoices, render.light_choice);
   fields.optional_name("sampler", kSamplers, render.sampler);
   fields.optional("seed", render.seed);
+  fields.optional("adaptive", render.adaptive);
   fields.optional("snapshots", render.snapshots);
   if (fields.has("filter")) {
     const JsonCursor at = fields.member("filter");

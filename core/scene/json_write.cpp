@@ -93,6 +93,7 @@ OrderedJson write_render(const RenderSettings& render) {
   put_name(json, "lightChoice", kLightChoices, render.light_choice, assumed.light_choice);
   put_name(json, "sampler", kSamplers, render.sampler, assumed.sampler);
   put(json, "seed", render.seed, assumed.seed);
+  put(json, "adaptive", render.adaptive, assumed.adaptive);
   OrderedJson filter = OrderedJson::object();
   put_name(filter, "type", kFilterKinds, render.filter, assumed.filter);
   put(filter, "radius", render.filter_radius, assumed.filter_radius);

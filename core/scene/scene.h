@@ -252,6 +252,7 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   FilterKind filter = FilterKind::Box;
   double filter_radius = 0.5;  ///< pixels; half the width
+  bool adaptive = false;       ///< more samples where there is more noise; `spp` is the average
   std::vector<int> snapshots{10, 200, 1000};
   bool operator==(const RenderSettings&) const = default;
 };

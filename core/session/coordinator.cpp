@@ -1,6 +1,7 @@
 #include "core/session/coordinator.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "core/scene/change.h"
@@ -129,6 +130,7 @@ void Coordinator::adopt_pending() {
   error_.clear();
   looked_ = 0;
   spp_ = published_spp_ = snapshot_spp_ = 0;
+  samples_ = {};
   counters_ = {};
   pass_seconds_ = clock_seconds_ = published_at_ = 0;
   report(SessionState::Compiling);
@@ -137,7 +139,14 @@ void Coordinator::adopt_pending() {
     compiled_ = compile(*next_scene, options_.kernel, compiled_.get(), change);
   }
   scene_ = next_scene;
-  resize(film_, compiled_->crop.width, compiled_->crop.height, compiled_->film_unit);
+  resize_films();
+}
+
+void Coordinator::resize_films() {
+  const Crop& crop = compiled_->crop;
+  resize(film_, crop.width, crop.height, compiled_->film_unit);
+  plan_ = {};  // give the memory back first
+  if (scene_->render.adaptive) plan_ = SamplePlan(crop.width, crop.height);
 }
 
 /// Whether a picture of `spp` samples, complete at `time`, is to be published.
@@ -174,12 +183,16 @@ void Coordinator::start_next() {
   run_clock(true);
   report(SessionState::Rendering);
   pass_started_ = seconds();
+  const bool adaptive = plan_.on() && pass->divider == 1;
+  const bool uneven = adaptive && spp_ >= kUniformSpp;
+  // At powers of two, where passes end, a round is complete and nothing of the next is there.
+  if (uneven && std::has_single_bit(spp_)) plan_.begin_round(spp_, film_);
   running_ = pass;
   pool_.hold(false);
   pool_.start({compiled_, film.view(), film.height(), *pass,
                plan_tiles(film.width(), film.height(), pass->sample_count, pool_.threads(),
-                          speed_ > 0 ? speed_ : look_speed_),
-               means_after(*pass)});
+                          speed_ > 0 ? speed_ : look_speed_, uneven),
+               uneven ? &plan_ : nullptr, means_after(*pass)});
   // The memory of the next picture is made while the workers trace.
   if (options_.interactive) make_room_for_means();
 }
@@ -216,12 +229,23 @@ std::shared_ptr<const Frame> Coordinator::make_look() {
 }
 
 std::shared_ptr<const Frame> Coordinator::make_frame(bool with_variance) {
+  samples_ = plan_.on() ? plan_.extent(spp_) : SampleExtent{spp_, spp_};
   const bool made = means_spp_ == spp_;
   means_spp_ = 0;
   const std::shared_ptr<Frame> frame =
-      new_frame(spp_, made ? std::exchange(means_, {}) : film_.mean(spp_));
-  if (with_variance) frame->variance = film_.variance(spp_);
+      new_frame(spp_, made ? std::exchange(means_, {}) : picture());
+  if (with_variance) {
+    frame->variance = plan_.on() ? plan_.variance(film_, spp_) : film_.variance(spp_);
+  }
   return frame;
+}
+
+Image Coordinator::picture() const {
+  if (!plan_.on()) return film_.mean(spp_);
+  const std::size_t size = film_.pixels().size();
+  Image image{film_.width(), film_.height(), std::vector<float>(3 * size)};
+  plan_.write_means(film_.pixels().data(), 0, size, film_.unit(), spp_, image.rgb.data());
+  return image;
 }
 
 std::shared_ptr<Frame> Coordinator::new_frame(std::uint32_t spp, Image image) {
@@ -271,11 +295,12 @@ void Coordinator::report(SessionState state) {
   status.state = state;
   status.generation = generation_;
   status.spp = spp_;
+  status.samples = samples_;
   status.seconds = clock_seconds_;
   status.samples_per_second = samples_per_second_;
   status.rays_per_second = rays_per_second_;
   status.counters = counters_;
-  status.film_bytes = bytes(film_) + bytes(look_);
+  status.film_bytes = bytes(film_) + plan_.bytes() + bytes(look_);
   status.threads = pool_.threads();
   status.error = error_;
   if (scene_) {

@@ -7,6 +7,7 @@
 
 #include "core/compile/render_scene.h"
 #include "core/film/film.h"
+#include "core/film/sample_plan.h"
 #include "core/session/exchange.h"
 #include "core/session/schedule.h"
 #include "core/session/worker_pool.h"
@@ -43,6 +44,8 @@ class Coordinator {
   [[nodiscard]] bool is_due(std::uint32_t spp, double time) const;
   float* means_after(const Pass& pass);
   void make_room_for_means();
+  void resize_films();
+  [[nodiscard]] Image picture() const;
   std::shared_ptr<const Frame> make_look();
   std::shared_ptr<const Frame> make_frame(bool with_variance);
   std::shared_ptr<Frame> new_frame(std::uint32_t spp, Image image);
@@ -64,6 +67,7 @@ class Coordinator {
   std::string error_;  // of generation_; nothing is rendered while set
 
   Film film_;
+  SamplePlan plan_;  // of an adaptive picture, whose present round film_ holds; else off
   Film look_;
   Image means_;                  // of film_, from the workers, if a pass is likely to be published
   std::uint32_t means_spp_ = 0;  // the samples that they are of, 0 = none
@@ -76,6 +80,7 @@ class Coordinator {
   int looked_ = 0;  // see Progress
   std::uint32_t spp_ = 0;
   std::uint32_t published_spp_ = 0;
+  SampleExtent samples_;  // of the picture published last
   double published_at_ = 0;
   std::uint32_t snapshot_spp_ = 0;  // count of the last snapshot made
   Counters counters_;

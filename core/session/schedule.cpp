@@ -105,10 +105,12 @@ double estimate_remaining(const Progress& p) {
   return remaining;
 }
 
-Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads, double speed) {
+Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads, double speed,
+                  bool uneven) {
+  const double call_seconds = uneven ? kCallSeconds / 4 : kCallSeconds;
   const double per_call =
-      std::max(64.0, (speed > 0 ? speed : kAssumedSpeed) / threads * kCallSeconds);
-  Tiling tiling{64, 1};
+      std::max(64.0, (speed > 0 ? speed : kAssumedSpeed) / threads * call_seconds);
+  Tiling tiling{uneven ? 16 : 64, 1};
   const auto tile_count = [&](int edge) {
     return static_cast<std::int64_t>(round_up_divide(width, edge)) * round_up_divide(height, edge);
   };

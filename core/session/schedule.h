@@ -63,6 +63,9 @@ struct Tiling {
 
 /// Calls of about 4 ms on one of `threads` threads, so that a cancel is noticed soon while starting
 /// and draining a call stays cheap; tiles small enough that threads end together.
-Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads, double speed);
+/// If pixels have different counts (`uneven`), the tiles are smaller still, and calls four times as
+/// short: the busiest tile has many times the samples of the others.
+Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads, double speed,
+                  bool uneven = false);
 
 }  // namespace lightbench

@@ -10,6 +10,7 @@
 
 #include "core/compile/render_scene.h"
 #include "core/film/frame.h"
+#include "core/film/sample_plan.h"
 #include "core/scene/scene.h"
 
 namespace lightbench {
@@ -28,6 +29,7 @@ struct SessionStatus {
   std::uint64_t generation = 0;
   std::uint32_t spp = 0;
   std::uint32_t target_spp = 0;   ///< 0 = no limit
+  SampleExtent samples;           ///< of the pixels of the last frame; `spp` is their average
   double seconds = 0;             ///< rendering time of this generation, pauses excluded
   double remaining = -1;          ///< estimate in seconds; < 0 if unknown
   double samples_per_second = 0;  ///< paths

@@ -17,6 +17,13 @@ void lower_priority() {
   (void)setpriority(PRIO_PROCESS, 0, 10);
 }
 
+void clear_tile(FilmView film, const Work& tile) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    FilmPixel* row = film.pixels + static_cast<std::ptrdiff_t>(y) * film.width;
+    std::fill(row + tile.x0, row + tile.x1, FilmPixel{});
+  }
+}
+
 int tiles_across(int size, int edge) { return (size + edge - 1) / edge; }
 
 }  // namespace
@@ -130,26 +137,49 @@ bool WorkerPool::trace_tile(Worker& self, std::int64_t tile) {
   work.x1 = std::min(work.x0 + edge, job_.film.width);
   work.y1 = std::min(work.y0 + edge, job_.film_height);
   work.stride = job_.pass.divider;
-  if (job_.pass.first_sample == 0) {
-    for (int y = work.y0; y < work.y1; ++y) {
-      FilmPixel* row = job_.film.pixels + static_cast<std::ptrdiff_t>(y) * job_.film.width;
-      std::fill(row + work.x0, row + work.x1, FilmPixel{});
-    }
-  }
+  const std::uint32_t start = job_.plan == nullptr ? 0 : job_.plan->round();
+  if (job_.pass.first_sample == start) clear_tile(job_.film, work);
   const std::uint32_t end = job_.pass.first_sample + job_.pass.sample_count;
   for (std::uint32_t sample = job_.pass.first_sample; sample < end;) {
     if (interrupted_.load(std::memory_order_relaxed) && !proceed()) return false;
     work.first_sample = sample;
     work.sample_count = std::min(job_.tiling.samples, end - sample);
-    render(*job_.scene, work, job_.film, self.counters);
+    trace_work(self, work);
     sample += work.sample_count;
   }
-  for (int y = work.y0; y < work.y1 && job_.means != nullptr; ++y) {
-    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * job_.film.width + work.x0;
-    write_means(job_.film.pixels + first, static_cast<std::size_t>(work.x1 - work.x0),
-                job_.scene->film_unit, end, job_.means + 3 * first);
-  }
+  if (job_.means != nullptr) write_tile_means(work);
   return true;
+}
+
+void WorkerPool::trace_work(Worker& self, Work work) {
+  if (job_.plan != nullptr) {
+    const std::uint32_t from = work.first_sample, to = from + work.sample_count;
+    self.ranges.clear();
+    for (int y = work.y0; y < work.y1; ++y) {
+      for (int x = work.x0; x < work.x1; ++x) {
+        const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * job_.film.width + x;
+        self.ranges.push_back(job_.plan->range(static_cast<std::size_t>(pixel), from, to));
+      }
+    }
+    work.ranges = self.ranges.data();
+  }
+  render(*job_.scene, work, job_.film, self.counters);
+}
+
+void WorkerPool::write_tile_means(const Work& tile) const {
+  const std::uint32_t spp = job_.pass.first_sample + job_.pass.sample_count;
+  const auto count = static_cast<std::size_t>(tile.x1 - tile.x0);
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * job_.film.width + tile.x0;
+    const FilmPixel* sums = job_.film.pixels + first;
+    float* means = job_.means + 3 * first;
+    if (job_.plan == nullptr) {
+      write_means(sums, count, job_.scene->film_unit, spp, means);
+    } else {
+      job_.plan->write_means(sums, static_cast<std::size_t>(first), count, job_.scene->film_unit,
+                             spp, means);
+    }
+  }
 }
 
 bool WorkerPool::proceed() {

@@ -13,6 +13,7 @@
 
 #include "core/compile/render_scene.h"
 #include "core/film/film.h"
+#include "core/film/sample_plan.h"
 #include "core/session/schedule.h"
 
 namespace lightbench {
@@ -25,6 +26,9 @@ struct Job {
   int film_height = 0;
   Pass pass;
   Tiling tiling;
+  /// If given, the counts of an adaptive picture, of whose present round `film` holds the sums. The
+  /// pass that starts the round clears the tiles too.
+  const SamplePlan* plan = nullptr;
   /// If given, receives the means after the pass, three floats per pixel: written tile by tile
   /// while the sums are at hand, since nobody traces while one thread goes over a whole film.
   float* means = nullptr;
@@ -64,6 +68,7 @@ class WorkerPool {
  private:
   struct alignas(64) Worker {  // a cache line each, so that counting does not share
     Counters counters;
+    std::vector<SampleRange> ranges;  // of a tile's pixels, adaptive pictures only
     std::thread thread;
   };
 
@@ -71,6 +76,9 @@ class WorkerPool {
   void trace(Worker& self);
   /// False if the job was cancelled.
   bool trace_tile(Worker& self, std::int64_t tile);
+  /// The samples of `work`, or those that the plan has for its pixels at these average counts.
+  void trace_work(Worker& self, Work work);
+  void write_tile_means(const Work& tile) const;
   /// True if the job goes on; sleeps while it is held.
   bool proceed();
 

@@ -133,7 +133,7 @@ TEST(Liveness, RandomEditsResizesPausesAndCancelsEndInTheRightPicture) {
   std::uint64_t serial = 0;
   const auto start = Clock::now();
   while (seconds_since(start) < 3) {
-    switch (engine() % 10) {
+    switch (engine() % 11) {
       case 0:
         scene.render.width = 1 + static_cast<int>(engine() % 500);
         break;
@@ -141,7 +141,7 @@ TEST(Liveness, RandomEditsResizesPausesAndCancelsEndInTheRightPicture) {
         scene.render.height = 1 + static_cast<int>(engine() % 400);
         break;
       case 2:
-        scene.render.spp = static_cast<int>(engine() % 40);
+        scene.render.spp = static_cast<int>(engine() % 80);
         break;
       case 3:
         scene.render.snapshots = {1, static_cast<int>(engine() % 20)};
@@ -157,6 +157,9 @@ TEST(Liveness, RandomEditsResizesPausesAndCancelsEndInTheRightPicture) {
         break;
       case 7:
         scene.display.exposure += 0.5;
+        break;
+      case 8:
+        scene.render.adaptive = !scene.render.adaptive;
         break;
       default:
         scene.camera.look_from.x = static_cast<double>(engine() % 100) / 100;
@@ -177,7 +180,8 @@ TEST(Liveness, RandomEditsResizesPausesAndCancelsEndInTheRightPicture) {
   }
   scene.render.width = 97;
   scene.render.height = 53;
-  scene.render.spp = 12;
+  scene.render.spp = 40;
+  scene.render.adaptive = true;
   session.pause(false);
   session.submit(scene);
   session.restart();

@@ -96,6 +96,89 @@ TEST(Session, ThreadsPassesPausesAndLooksDoNotChangeABit) {
   EXPECT_TRUE(same_bits(session.latest()->image.rgb, expected->image.rgb)) << "interactive";
 }
 
+TEST(Session, AdaptivePicturesDoNotDependOnThreadsPassesOrPauses) {
+  Scene scene = noisy_scene(90, 61, 128);
+  scene.render.adaptive = true;
+  Session plain({.threads = 1});
+  plain.submit(scene);
+  ASSERT_TRUE(finish(plain));
+  const SessionStatus status = plain.status();
+  EXPECT_EQ(status.counters.paths, 128U * 90 * 61);
+  EXPECT_LT(status.samples.least, 64U);
+  EXPECT_GT(status.samples.most, 192U);
+  EXPECT_EQ(status.film_bytes, 90U * 61 * (sizeof(FilmPixel) + 28));
+  const auto expected = plain.latest();
+  for (const int threads : {2, 5}) {
+    const auto frame = render_to_end(scene, threads);
+    ASSERT_TRUE(frame);
+    EXPECT_TRUE(same_bits(frame->image.rgb, expected->image.rgb)) << threads << " threads";
+  }
+  Session session({.threads = 2, .interactive = true, .low_priority = true});
+  session.submit(scene);
+  std::mt19937 engine(1);
+  while (session.status().state != SessionState::Finished) {
+    session.pause(true);
+    if (engine() % 4 == 0) session.request_snapshot();
+    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
+    session.pause(false);
+    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
+  }
+  EXPECT_TRUE(same_bits(session.latest()->image.rgb, expected->image.rgb)) << "interactive";
+  session.restart();
+  ASSERT_TRUE(finish(session));
+  EXPECT_TRUE(same_bits(session.latest()->image.rgb, expected->image.rgb)) << "again";
+}
+
+TEST(Session, AdaptiveSnapshotsEqualSeparateRendersAndThePlainOnesWhileUniform) {
+  Scene scene = noisy_scene(50, 40, 100);
+  scene.render.adaptive = true;
+  scene.render.snapshots = {5, 16, 40, 100};
+  Session session({.threads = 2});
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  const auto snapshots = session.take_snapshots();
+  ASSERT_EQ(snapshots.size(), 4U);
+  for (const auto& snapshot : snapshots) {
+    Scene alone = noisy_scene(50, 40, static_cast<int>(snapshot->spp));
+    for (const bool adaptive : {true, false}) {
+      alone.render.adaptive = adaptive;
+      alone.render.snapshots = {alone.render.spp};
+      Session other({.threads = 1});
+      other.submit(alone);
+      ASSERT_TRUE(finish(other));
+      const auto expected = other.take_snapshots();
+      ASSERT_EQ(expected.size(), 1U);
+      const bool same = adaptive || snapshot->spp <= kUniformSpp;
+      EXPECT_EQ(same_bits(snapshot->image.rgb, expected[0]->image.rgb), same) << snapshot->spp;
+      EXPECT_EQ(same_bits(snapshot->variance, expected[0]->variance), same) << snapshot->spp;
+    }
+  }
+}
+
+TEST(Session, AdaptiveSamplingTurnedOnAndOffLeavesNoTrace) {
+  Scene scene = noisy_scene(40, 30, 64);
+  const auto plain = render_to_end(scene);
+  Session session({.threads = 2});
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  const std::uint64_t bytes = session.status().film_bytes;
+  scene.render.adaptive = true;
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  EXPECT_FALSE(same_bits(session.latest()->image.rgb, plain->image.rgb));
+  scene.render.spp = 300;  // goes on from there
+  session.submit(scene);
+  ASSERT_TRUE(eventually(session, [&] { return session.status().spp == 300; }));
+  EXPECT_TRUE(same_bits(session.latest()->image.rgb, render_to_end(scene)->image.rgb));
+  scene.render.spp = 64;
+  scene.render.adaptive = false;
+  session.submit(scene);
+  ASSERT_TRUE(finish(session));
+  EXPECT_TRUE(same_bits(session.latest()->image.rgb, plain->image.rgb));
+  EXPECT_EQ(session.status().film_bytes, bytes);
+  EXPECT_EQ(session.status().samples.most, 64U);
+}
+
 TEST(Session, CropHoldsThePixelsOfTheWholePicture) {
   Scene scene = noisy_scene(64, 48, 4);
   const auto whole = render_to_end(scene);

@@ -128,6 +128,7 @@ TEST_F(CliBench, RefusesWhatDoesNotFit) {
   EXPECT_EQ(
       bench({"--time", "0.05s", "-D", "/render/rouletteDepth=1", "--exposure", "1"}).exit_code, 0);
   EXPECT_EQ(bench({"--seed", "4"}).exit_code, 2);
+  EXPECT_EQ(bench({"--adaptive"}).exit_code, 2);
   EXPECT_EQ(bench({"--ab", "kernel=scalar,avx2", "--kernels", "scalar"}).exit_code, 2);
   for (const char* bad : {"kernel=scalar", "nonsense=1,2", "kernel=scalar,fast"}) {
     const ProgramResult r = bench({"--ab", bad});

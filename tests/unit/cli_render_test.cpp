@@ -109,6 +109,29 @@ TEST_F(Cli, FlagsAndDefinitionsOverrideTheScene) {
   EXPECT_EQ(b["samples"], 2 * 4 * 5);
 }
 
+TEST_F(Cli, AdaptiveSamplingIsAFlagOrASetting) {
+  const auto render = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", "s.json", "--spp",        "64",
+                                       "-o",     name,     "--stats-json", name + ".json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).exit_code, 0);
+    return nlohmann::json::parse(content(name + ".json"));
+  };
+  const auto plain = render("a.pfm", {});
+  const auto flag = render("b.pfm", {"--adaptive"});
+  render("c.pfm", {"-D", "/render/adaptive=true"});
+  render("d.pfm", {"-D", "/render/adaptive=true", "--no-adaptive"});
+  EXPECT_EQ(content("b.pfm"), content("c.pfm"));
+  EXPECT_EQ(content("a.pfm"), content("d.pfm"));
+  EXPECT_NE(content("a.pfm"), content("b.pfm"));
+  EXPECT_EQ(plain["leastSamples"], 64);
+  EXPECT_EQ(plain["mostSamples"], 64);
+  EXPECT_LT(flag["leastSamples"], 64);
+  EXPECT_GT(flag["mostSamples"], 64);
+  EXPECT_EQ(flag["samples"], plain["samples"]);
+  EXPECT_EQ(run({"render", "s.json", "--adaptive", "--no-adaptive"}).exit_code, 2);
+}
+
 TEST_F(Cli, TimeLimitSavesAndExitsWith5) {
   const ProgramResult result = run({"render", "s.json", "--spp", "1,2000000000", "--time-limit",
                                     "0.3s", "-o", "x-{spp}.pfm", "--stats-json", "stats.json"});

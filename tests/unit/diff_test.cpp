@@ -55,6 +55,7 @@ const std::vector<Edit>& edits() {
        [](S s) { s.render.sampler = SamplerKind::Independent; }},
       {"render.strategy", Change::Settings, [](S s) { s.render.strategy = Strategy::Bsdf; }},
       {"render.seed", Change::Settings, [](S s) { s.render.seed = 9; }},
+      {"render.adaptive", Change::Settings, [](S s) { s.render.adaptive = true; }},
       {"render.filter", Change::Settings, [](S s) { s.render.filter = FilterKind::Gaussian; }},
       {"render.filter_radius", Change::Settings, [](S s) { s.render.filter_radius = 9; }},
       {"display.exposure", Change::Display, [](S s) { s.display.exposure = 9; }},

@@ -40,6 +40,7 @@ Scene full_scene(const TemporaryFolder& folder) {
   s.render.light_choice = LightChoiceBy::Contribution;
   s.render.sampler = SamplerKind::Independent;
   s.render.seed = 4294967295U;
+  s.render.adaptive = true;
   s.render.filter = FilterKind::Gaussian;
   s.render.filter_radius = 1.5;
   s.render.snapshots = {};
