@@ -78,6 +78,10 @@ void draw_render_panel(Workbench& bench) {
                  "included; without those; or by power");
       enum_field("Sampler", render.sampler, {"Sobol", "Independent"},
                  "Random numbers: Owen-scrambled Sobol points, or plain ones to compare with");
+      toggle_field(
+          "Adaptive", render.adaptive,
+          "More samples where the picture is noisy, from 16 per pixel on; the counts shown "
+          "are averages");
       seed_field("Seed", render.seed);
     }
     if (section("Pixel filter")) {

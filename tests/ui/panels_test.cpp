@@ -98,6 +98,27 @@ TEST(Panels, StrategiesShowTheSameSceneWithOtherNoise) {
   }
 }
 
+TEST(Panels, SamplerShowsTheSameSceneWithOtherNoise) {
+  Interface interface(small_scene());
+  expect_new_picture(interface, [](ImGuiTestContext* ctx) {
+    ctx->WindowFocus("//Render");
+    choose(ctx, "//Render/##Sampler", "Independent");
+  });
+  EXPECT_EQ(interface.scene().render.sampler, SamplerKind::Independent);
+}
+
+TEST(Panels, HowSamplesAreSpentIsSet) {
+  Interface interface(small_scene());
+  interface.settle(1);
+  interface.run([](ImGuiTestContext* ctx) {
+    ctx->WindowFocus("//Render");
+    choose(ctx, "//Render/##Light choice", "Power");
+    ctx->ItemClick("//Render/##Adaptive");
+  });
+  EXPECT_EQ(interface.scene().render.light_choice, LightChoiceBy::Power);
+  EXPECT_TRUE(interface.scene().render.adaptive);
+}
+
 TEST(Panels, ThreadsStartTheSessionAgain) {
   Interface interface(small_scene());
   interface.settle(1);
