@@ -57,6 +57,21 @@ TEST_F(CliBench, AReferenceSaysWhatItIs) {
   EXPECT_EQ(read_image(file).width, 12);
 }
 
+// A scene that changes leaves its reference behind: bench refuses it.
+TEST(StoredReferences, AreOfTheStoredScenes) {
+  const ProgramResult r =
+      run_lightbench(LIGHTBENCH_SOURCE_DIR, {"bench", "--time", "0.1s", "-t", "1"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  int references = 0, judged = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(LIGHTBENCH_SOURCE_DIR "/scenes/references")) {
+    references += entry.path().extension() == ".exr" ? 1 : 0;
+  }
+  for (std::size_t at = 0; (at = r.out.find("bias", at)) != std::string::npos; ++at) ++judged;
+  EXPECT_GT(references, 0);
+  EXPECT_EQ(judged, references);
+}
+
 TEST_F(CliBench, TheErrorFallsAndTheMeanIsRight) {
   make_reference();
   const Json scene = figures({});
