@@ -74,6 +74,18 @@ TEST(Session, SnapshotsEqualSeparateRendersBitForBit) {
   }
 }
 
+/// Lets the session end, pausing it and asking for snapshots on the way.
+void finish_with_pauses(Session& session) {
+  std::mt19937 engine(1);
+  while (session.status().state != SessionState::Finished) {
+    session.pause(true);
+    if (engine() % 4 == 0) session.request_snapshot();
+    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
+    session.pause(false);
+    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
+  }
+}
+
 TEST(Session, ThreadsPassesPausesAndLooksDoNotChangeABit) {
   const Scene scene = noisy_scene(90, 61, 64);
   const auto expected = render_to_end(scene, 1);
@@ -85,14 +97,7 @@ TEST(Session, ThreadsPassesPausesAndLooksDoNotChangeABit) {
   }
   Session session({.threads = 2, .interactive = true, .low_priority = true});
   session.submit(scene);
-  std::mt19937 engine(1);
-  while (session.status().state != SessionState::Finished) {
-    session.pause(true);
-    if (engine() % 4 == 0) session.request_snapshot();
-    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
-    session.pause(false);
-    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
-  }
+  finish_with_pauses(session);
   EXPECT_TRUE(same_bits(session.latest()->image.rgb, expected->image.rgb)) << "interactive";
 }
 
@@ -115,14 +120,7 @@ TEST(Session, AdaptivePicturesDoNotDependOnThreadsPassesOrPauses) {
   }
   Session session({.threads = 2, .interactive = true, .low_priority = true});
   session.submit(scene);
-  std::mt19937 engine(1);
-  while (session.status().state != SessionState::Finished) {
-    session.pause(true);
-    if (engine() % 4 == 0) session.request_snapshot();
-    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
-    session.pause(false);
-    session.wait(session.latest() ? session.latest()->serial : 0, 0.001);
-  }
+  finish_with_pauses(session);
   EXPECT_TRUE(same_bits(session.latest()->image.rgb, expected->image.rgb)) << "interactive";
   session.restart();
   ASSERT_TRUE(finish(session));
