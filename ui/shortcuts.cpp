@@ -70,13 +70,15 @@ const char* shortcut_keys(Action action) {
 }
 
 std::optional<Action> pressed_action() {
-  if (ImGui::GetIO().WantTextInput) return std::nullopt;
+  const bool typing = ImGui::GetIO().WantTextInput;
   for (const Shortcut& shortcut : shortcuts()) {
     if (shortcut.chord == 0) continue;
     const bool repeats =
         shortcut.action == Action::Undo || shortcut.action == Action::Redo ||
         (shortcut.action >= Action::ExposureUp && shortcut.action <= Action::ExposureDownFine);
     const auto key = static_cast<ImGuiKey>(shortcut.chord & ~ImGuiMod_Mask_);
+    const bool function_key = key >= ImGuiKey_F1 && key <= ImGuiKey_F24;
+    if (typing && !function_key) continue;  // the text field's
     if (ImGui::GetIO().KeyMods == (shortcut.chord & ImGuiMod_Mask_) &&
         ImGui::IsKeyPressed(key, repeats)) {
       return shortcut.action;

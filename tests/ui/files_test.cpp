@@ -81,6 +81,24 @@ TEST_F(Files, SnapshotNowIsWrittenAndListed) {
   EXPECT_EQ(image.width, 40);
 }
 
+TEST_F(Files, FunctionKeysWorkWhileANumberIsTyped) {
+  Interface interface(small_scene());
+  interface.bench().snapshots.pattern = (folder_ / "{scene}-{spp}.exr").string();
+  interface.settle(4);
+  const Scene before = interface.scene();
+  interface.run([](ImGuiTestContext* ctx) {
+    ctx->WindowFocus("//Camera");
+    ctx->ItemInput("//Camera/##Aperture");
+    IM_CHECK(ImGui::GetIO().WantTextInput);
+    ctx->KeyPress(ImGuiKey_Delete);  // the field's, not the selected object's
+    ctx->KeyPress(ImGuiKey_F12);
+    ctx->KeyPress(ImGuiKey_Escape);
+  });
+  const auto& entries = interface.bench().snapshots.entries();
+  ASSERT_TRUE(interface.wait([&] { return !entries.empty() && entries.front()->written; }));
+  EXPECT_EQ(interface.scene(), before);
+}
+
 TEST_F(Files, ASecondSnapshotOfTheSameNameIsNumbered) {
   std::ofstream(folder_ / "untitled-4-2.exr") << "somebody else's";
   Interface interface(small_scene());

@@ -236,8 +236,11 @@ TEST_F(Window, OrbitApertureLightSnapshotSaveQuit) {
   EXPECT_TRUE(emits(lit.materials[static_cast<std::size_t>(lit.objects.back().material)]));
 
   // A snapshot, while the render goes on.
-  xdotool("key F12");
-  EXPECT_TRUE(wait_until(60, [&] { return snapshots() > 0; }));
+  EXPECT_TRUE(wait_until(60, [&] {
+    xdotool("key Escape");
+    xdotool("key F12");
+    return wait_until(5, [&] { return snapshots() > 0; });
+  }));
 
   // A repeated step may have left an edit unsaved, which the viewer would ask about.
   ASSERT_TRUE(wait_until(60, [&] {
