@@ -98,6 +98,18 @@ void judge_gap(const Stage& s, const Ray& ray, const Hit& hit, std::span<Tally> 
   tally.measure(gap, [&] { return describe(s, ray); });
 }
 
+/// How far off the kernel's numbers let a face lie, in object space. A solid scaled down by a
+/// thousand along one axis is as much less certain there, in its own units: a chord within that of
+/// its face may end anywhere on it.
+Number face_error(const Stage& s) {
+  Number squares = 0;
+  for (int column = 0; column < 3; ++column) {
+    const V v(s.to_object[column]);
+    squares += glm::dot(v, v);
+  }
+  return Number(8 * rounding_of(*s.scene) * s.size) * std::sqrt(squares);
+}
+
 void judge(const Stage& s, const Ray& ray, const std::optional<Hit>& again,
            std::span<Tally> tallies) {
   const auto text = [&] { return describe(s, ray); };
@@ -111,10 +123,13 @@ void judge(const Stage& s, const Ray& ray, const std::optional<Hit>& again,
     return;
   }
   const OracleRay local = into_object(exact_ray(*s.scene, ray), s.to_object);
-  const Span span = solid_span(s.shape, local);
+  const Span span = solid_span(s.shape, local, -face_error(s));
   const Number length = glm::length(local.d);
-  if (met && Number(again->t) < span.far / 2 && span.far * length > kBorder) {
-    tallies[kSelfHit].fail(text);
+  if (met && span.hit && Number(again->t) < span.far / 2 && span.far * length > kBorder) {
+    tallies[kSelfHit].fail([&] {
+      return fmt::format("{}, met at {} instead of {}", text(), again->t,
+                         static_cast<double>(span.far));
+    });
   }
   const Span inner = solid_span(s.shape, local, -kBorder);
   if (!inner.hit || inner.far < 0) return;
