@@ -154,8 +154,10 @@ class Window : public testing::Test {
   /// The viewer on the scene at the top left of a screen of its own, with the keyboard.
   void open_viewer() {
     const std::string display = ":" + std::to_string(200 + getpid() % 5000);
+    // -noreset: or it would start over when the first xdotool leaves, and drop a viewer that comes
+    // at that moment.
     server_.emplace(std::vector<std::string>{"Xvfb", display, "-screen", "0", "1280x720x24",
-                                             "-nolisten", "tcp"},
+                                             "-nolisten", "tcp", "-noreset"},
                     folder_);
     setenv("DISPLAY", display.c_str(), 1);
     ASSERT_TRUE(wait_until(20, [] {
