@@ -68,7 +68,7 @@ Json describe(const SceneOptions& options) {
     count = count.is_null() ? 1 : count.get<int>() + 1;
   }
   Json features = Json::array();
-  for (const Feature& feature : stats.features) {
+  for (const FeatureUse& feature : stats.features) {
     features.push_back({{"name", feature.name}, {"used", feature.used}, {"note", feature.note}});
   }
   const Camera& camera = scene.camera;

@@ -83,7 +83,7 @@ void draw_statistics_panel(Workbench& bench) {
                    "From an edit to the first picture of it: median / 99 %");
     }
     if (section("Features")) {
-      for (const Feature& feature : status.scene.features) {
+      for (const FeatureUse& feature : status.scene.features) {
         value_row(feature.name.c_str(), feature.used ? "used" : "skipped");
         tip_for_last(feature.note.empty() ? nullptr : feature.note.c_str());
       }

@@ -5,6 +5,7 @@
 
 #include "core/accel/mesh_hit.h"
 #include "core/accel/primitive_hit.h"
+#include "core/kernel/uses.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -125,7 +126,7 @@ bool advance(const SceneView<T>& scene, const RayTable& rays, unsigned lane, Wal
 template <bool kShadow>
 [[gnu::noinline]] void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active,
                                  NearestHit& hit) {
-  if (scene.nodes == nullptr) {
+  if (!uses(scene, Feature::Tree)) {
     test_all<kShadow>(scene, ray, active, hit);
     return;
   }

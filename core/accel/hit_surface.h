@@ -22,10 +22,10 @@ template <PrimitiveKind kKind>
                                                  Coordinates uv) {
   const auto shape = shape_at<kKind>(rows_of<kKind>(scene, hit.primitive, active), ray.time);
   if constexpr (kKind == PrimitiveKind::Sphere)
-    return surface_sphere(shape, ray, hit.t, scene.hit_quality, uv);
+    return surface_sphere(shape, ray, hit.t, hit_quality(scene), uv);
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return surface_ellipsoid(shape, ray, hit.t, uv);
   if constexpr (kKind == PrimitiveKind::Cylinder)
-    return surface_cylinder(shape, ray, hit.t, scene.hit_quality, uv);
+    return surface_cylinder(shape, ray, hit.t, hit_quality(scene), uv);
   if constexpr (kKind == PrimitiveKind::EllipticCylinder)
     return surface_elliptic_cylinder(shape, ray, hit.t, uv);
   if constexpr (kKind == PrimitiveKind::Disc) return surface_disc(shape, ray, hit.t, uv);

@@ -11,10 +11,10 @@ template <PrimitiveKind kKind>
 Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
   const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
   if constexpr (kKind == PrimitiveKind::Sphere)
-    return hit_sphere(shape, ray, scene.hit_quality).span;
+    return hit_sphere(shape, ray, hit_quality(scene)).span;
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return hit_ellipsoid(shape, ray).span;
   if constexpr (kKind == PrimitiveKind::Cylinder)
-    return hit_cylinder(shape, ray, scene.hit_quality);
+    return hit_cylinder(shape, ray, hit_quality(scene));
   if constexpr (kKind == PrimitiveKind::EllipticCylinder) return hit_elliptic_cylinder(shape, ray);
   if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(shape, ray);
   if constexpr (kKind == PrimitiveKind::Box) return hit_box(shape, ray);
@@ -114,9 +114,11 @@ inline void test_run(const SceneView<T>& scene, const Ray& ray, Mask active, Nea
 template <bool kShadow>
 void test_all(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
   test_run<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
+  if constexpr (compiled(Feature::Ellipsoids))
+    test_run<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
   test_run<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
+  if constexpr (compiled(Feature::Ellipsoids))
+    test_run<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
   test_run<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
   test_run<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
   test_run<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);

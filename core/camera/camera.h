@@ -1,6 +1,7 @@
 #pragma once
 // Camera rays: pixel filter, thin lens, shutter.
 
+#include "core/kernel/uses.h"
 #include "core/sampling/sobol.h"
 #include "core/shapes/shape.h"
 
@@ -32,14 +33,15 @@ inline Vec2 sample_filter(const CameraView<T>& camera, Vec2 u) {
 
 /// Ray through picture position (x, y) in pixels, y down. Times run from 0 to 1 over the shutter:
 /// compile() bakes opening and closing into the motion.
-inline Ray camera_ray(const CameraView<T>& camera, Real x, Real y, const Sampler& sampler) {
+inline Ray camera_ray(const SceneView<T>& scene, Real x, Real y, const Sampler& sampler) {
+  const CameraView<T>& camera = scene.camera;
   const auto vec = [](const T(&v)[3]) { return Vec{Real(v[0]), Real(v[1]), Real(v[2])}; };
   const Real sx = x * (T(2) / static_cast<T>(camera.width)) - T(1);
   const Real sy = Real(1) - y * (T(2) / static_cast<T>(camera.height));
   Ray ray;
   ray.o = vec(camera.origin);
   ray.d = madd(vec(camera.right), sx, madd(vec(camera.up), sy, vec(camera.forward)));
-  if (camera.lens_radius > T(0)) {
+  if (uses(scene, Feature::Lens)) {
     const Vec2 lens = square_to_disk(sampler.pair(Int(dimension::kLens)));
     // right and up are as long as half the picture at distance 1; the lens wants them unit.
     const Vec offset = normalize(vec(camera.right)) * (lens.x * camera.lens_radius) +
@@ -49,7 +51,7 @@ inline Ray camera_ray(const CameraView<T>& camera, Real x, Real y, const Sampler
     ray.o = ray.o + offset;
   }
   ray.d = normalize(ray.d);
-  ray.time = camera.moving ? sampler.pair(Int(dimension::kTime)).x : Real(0);
+  ray.time = uses(scene, Feature::Motion) ? sampler.pair(Int(dimension::kTime)).x : Real(0);
   ray.from = ray.from_slot = ray.skip = ray.skip_slot = Int(kNoHit);
   ray.inside = ray.skip_back = false;
   return ray;

@@ -1,39 +1,45 @@
 #pragma once
-// What `lightbench info` says of a compiled scene: which of the kernel's stations it enters.
+// What `lightbench info` says of a compiled scene: which of the kernel's features it has.
 
 #include <vector>
 
 #include "core/compile/render_scene.h"
-#include "core/kernel/scene_view.h"
+#include "core/kernel/features.h"
 
 namespace lightbench {
 
 template <class T>
-std::vector<Feature> feature_list(const SceneView<T>& view) {
-  const auto tree = view.nodes != nullptr;
+std::vector<FeatureUse> feature_list(const SceneView<T>& view) {
+  const auto use = [&](const char* name, Feature feature, const char* note) {
+    return FeatureUse{name, has(view, feature), note};
+  };
   return {
-      {"bvh", tree,
-       tree ? "eight-wide tree over the objects" : "tiny scene: every primitive is tested"},
-      {"refined hits", view.hit_quality == HitQuality::Refined,
-       "closest approach of far rays to small round shapes"},
-      {"triangles", view.has_triangles, "refined distance and barycentrics of their hits"},
-      {"motion", view.camera.moving, "rays carry a time"},
-      {"lens", view.camera.lens_radius > T(0), "defocus blur"},
-      {"lights", view.samples_lights, "next-event estimation"},
-      {"choice of lights", view.candidate_count > 0, "by what each would bring to the point"},
-      {"light tree", view.light_nodes != nullptr, "the same for many lights, by clusters of them"},
-      {"images in mirrors", view.mirror_count > 0, "lights sampled by way of plane mirrors"},
-      {"environment", view.has_environment, "radiance from outside"},
-      {"media", view.medium_count > 0, "free flights and transmittance"},
-      {"textures", view.has_textures, "base colour lookups"},
-      {"emission textures", view.has_emission_textures, "textured lights"},
-      {"uv", view.needs_uv, "surface coordinates of curved shapes"},
-      {"solid textures", view.to_object != nullptr, "points in object space"},
-      {"lambertian", view.has_lambertian, "diffuse lobe"},
-      {"mirror", view.has_mirror, "smooth metal"},
-      {"fuzz", view.has_fuzz, "the books' fuzzy metal"},
-      {"ggx", view.has_ggx, "rough metal"},
-      {"dielectric", view.has_dielectric, "smooth glass"},
+      use("bvh", Feature::Tree,
+          has(view, Feature::Tree) ? "eight-wide tree over the objects"
+                                   : "tiny scene: every primitive is tested"),
+      use("refined hits", Feature::RefinedHits,
+          "closest approach of far rays to small round shapes"),
+      use("triangles", Feature::Triangles, "refined distance and barycentrics of their hits"),
+      use("meshes", Feature::Meshes, "trees of triangles in spaces of their own"),
+      use("ellipsoids", Feature::Ellipsoids, "spheres and cylinders scaled unevenly"),
+      use("motion", Feature::Motion, "rays carry a time"),
+      use("lens", Feature::Lens, "defocus blur"),
+      use("emission", Feature::Emission, "surfaces that shine"),
+      use("lights", Feature::Lights, "next-event estimation"),
+      use("choice of lights", Feature::ChoiceOfLights, "by what each would bring to the point"),
+      use("light tree", Feature::LightTree, "the same for many lights, by clusters of them"),
+      use("images in mirrors", Feature::ImagesInMirrors, "lights sampled by way of plane mirrors"),
+      use("environment", Feature::Environment, "radiance from outside"),
+      use("media", Feature::Media, "free flights and transmittance"),
+      use("textures", Feature::Textures, "base colour lookups"),
+      use("emission textures", Feature::EmissionTextures, "textured lights"),
+      use("uv", Feature::Coordinates, "surface coordinates of curved shapes"),
+      use("solid textures", Feature::SolidTextures, "points in object space"),
+      use("lambertian", Feature::Lambertian, "diffuse lobe"),
+      use("mirror", Feature::Mirror, "smooth metal"),
+      use("fuzz", Feature::Fuzz, "the books' fuzzy metal"),
+      use("ggx", Feature::Ggx, "rough metal"),
+      use("dielectric", Feature::Dielectric, "smooth glass"),
   };
 }
 

@@ -45,7 +45,7 @@ struct Work {
 };
 
 /// One line of `lightbench info`: a feature the kernel has and whether this scene uses it.
-struct Feature {
+struct FeatureUse {
   std::string name;
   bool used = false;
   std::string note;
@@ -64,7 +64,7 @@ struct RenderStats {
   std::string precision_reason;            ///< ... and why, in a sentence
   double compile_seconds = 0;
   Change rebuilt = Change::None;  ///< what this compile rebuilt; the rest is shared with `previous`
-  std::vector<Feature> features;
+  std::vector<FeatureUse> features;
 };
 
 /// Immutable; many threads may trace it at once. Opaque but for what a session or a UI needs.

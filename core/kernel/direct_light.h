@@ -4,6 +4,7 @@
 #include "core/accel/closest_hit.h"
 #include "core/film/counters.h"
 #include "core/kernel/emission.h"
+#include "core/kernel/uses.h"
 #include "core/materials/scatter.h"
 #include "core/media/medium.h"
 
@@ -41,7 +42,7 @@ inline Int trace_leg(const SceneView<T>& scene, const Ray& ray, Real length, Mas
   find_hits<true>(scene, ray, leg, hit);
   counters.shadow_rays += static_cast<std::uint64_t>(__builtin_popcount(bits(leg)));
   const Mask visible = leg && hit.primitive == Int(kNoHit);
-  if (scene.medium_count > 0 && any(visible))
+  if (uses(scene, Feature::Media) && any(visible))
     light = select(visible, light * transmittance(scene, ray, length, visible), light);
   wanted = wanted && (visible || !leg);
   return select(leg, hit.primitive, Int(kNoHit));
@@ -68,7 +69,7 @@ template <class Watch>
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
   MirrorWay way;
   way.mirrored = active && chosen.mirror != Int(kNoMirror);
-  const bool some_mirrored = scene.mirror_count > 0 && any(way.mirrored);
+  const bool some_mirrored = uses(scene, Feature::ImagesInMirrors) && any(way.mirrored);
   Vec seen_from = v.reflect_from;
   if (some_mirrored) {
     // One segment more than the straight way.
@@ -76,10 +77,7 @@ template <class Watch>
         way.mirrored && paths.segments + Int(1U) < Int(static_cast<std::uint32_t>(scene.max_depth));
     active = active && (way.mirrored || chosen.mirror == Int(kNoMirror));
     if (none(active)) return;
-    way.mirror =
-        mirror_at(merged_rows<kMirrorStride>(chosen.mirror, way.mirrored, [&](std::uint32_t i) {
-          return scene.mirrors + i * kMirrorStride;
-        }));
+    way.mirror = mirrors_of(scene, chosen.mirror, way.mirrored);
     seen_from = select(way.mirrored, mirrored(way.mirror, seen_from), seen_from);
   }
   LightSample s = sample_light(scene, place, seen_from, paths.ray.time, u, active);

@@ -2,6 +2,7 @@
 // What lights send along a ray, and what it weighs against the other way of finding it.
 
 #include "core/kernel/paths.h"
+#include "core/kernel/uses.h"
 #include "core/kernel/vertex.h"
 #include "core/lights/light.h"
 #include "core/lights/light_choice.h"
@@ -19,7 +20,7 @@ inline Real power_heuristic(Real a, Real b) {
 inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const LightSample& s,
                           const Ray& shadow) {
   const Mask front = dot(s.n, s.d) < Real(0);
-  if (scene.has_emission_textures) {
+  if (uses(scene, Feature::EmissionTextures)) {
     NearestHit hit{s.distance, place.primitive, place.slot, Real(0), Real(0)};
     // Triangles take their uv from barycentrics, which the test itself gives.
     for_each_kind(scene, place.primitive, s.valid, [&]<PrimitiveKind kKind>(Mask m) {
@@ -71,18 +72,15 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
   if (none(bright)) return;
   Real weight(1);
   const Mask sampled = bright && paths.pdf > Real(0);
-  if (scene.samples_lights && any(sampled)) {
+  if (uses(scene, Feature::Lights) && any(sampled)) {
     const auto [light, known, mesh] = light_of(scene, hit, sampled);
     // By a mirror the light was sampled from the mirrored point, which lies behind the ray's
     // origin.
     Vec from = paths.ray.o;
     Real distance = hit.t;
     const Mask mirrored_lanes = known && paths.mirror != Int(kNoMirror);
-    if (scene.mirror_count > 0 && any(mirrored_lanes)) {
-      const Mirror mirror =
-          mirror_at(merged_rows<kMirrorStride>(paths.mirror, mirrored_lanes, [&](std::uint32_t i) {
-            return scene.mirrors + i * kMirrorStride;
-          }));
+    if (uses(scene, Feature::ImagesInMirrors) && any(mirrored_lanes)) {
+      const Mirror mirror = mirrors_of(scene, paths.mirror, mirrored_lanes);
       from = select(mirrored_lanes, mirrored(mirror, paths.chosen_from), from);
       distance = select(mirrored_lanes, distance + length(paths.ray.o - from), distance);
     }

@@ -142,7 +142,7 @@ class PathStarts {
     const Vec2 offset =
         work_.stride == 1 ? sample_filter(scene_.camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};
     const auto stride = static_cast<T>(work_.stride);
-    const Ray ray = camera_ray(scene_.camera, to_real(x) + (T(0.5) + offset.x) * stride,
+    const Ray ray = camera_ray(scene_, to_real(x) + (T(0.5) + offset.x) * stride,
                                to_real(y) + (T(0.5) + offset.y) * stride, sampler);
     store(o_[0] + end_, ray.o.x);
     store(o_[1] + end_, ray.o.y);

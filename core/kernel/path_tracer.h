@@ -28,7 +28,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   counters.rays += static_cast<std::uint64_t>(__builtin_popcount(bits(alive)));
   NearestHit hit = no_hit(Real(kInfinity));
   find_hits<false>(scene, paths.ray, alive, hit);
-  if (scene.has_triangles) refine_hits(scene, paths.ray, hit);
+  if (uses(scene, Feature::Triangles)) refine_hits(scene, paths.ray, hit);
   const Int dimension_base =
       paths.segments * Int(dimension::kPerVertex) + Int(dimension::kFirstVertex);
   paths.segments = select(alive, paths.segments + Int(1U), paths.segments);
@@ -36,14 +36,14 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   Vertex v;
   v.in_medium = false;
   MediumHit medium{hit.t, Vec(Real(1)), Mask(false)};
-  if (scene.medium_count > 0) {
+  if (uses(scene, Feature::Media)) {
     medium = sample_media(scene, paths.ray, hit.t, paths.sampler, dimension_base, alive);
     v.in_medium = medium.scattered;
   }
   const Mask hit_something = hit.primitive != Int(kNoHit);
   v.on_surface = alive && hit_something && !v.in_medium;
   const Mask escaped = alive && !hit_something && !v.in_medium;
-  if (scene.has_environment && any(escaped)) {
+  if (uses(scene, Feature::Environment) && any(escaped)) {
     const Vec sky = environment_radiance(scene, paths.ray.d, escaped);
     if constexpr (Watch::kOn) watch.emitted(escaped, sky, Real(1));
     paths.radiance = select(escaped, paths.radiance + paths.throughput * sky, paths.radiance);
@@ -62,10 +62,11 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   v.n = select(v.front, v.surface.ns, -v.surface.ns);
   // An interpolated normal that looks away from the viewer cannot shade; the geometric one can.
   v.n = select(dot(v.n, v.wo) > Real(0), v.n, v.ng);
-  if (scene.has_emission && any(v.on_surface)) add_emission(scene, v, hit, paths, watch);
+  if (uses(scene, Feature::Emission) && any(v.on_surface))
+    add_emission(scene, v, hit, paths, watch);
 
   v.reflect_from = leave_surface(v.surface.p, v.ng, v.offset);
-  if (scene.medium_count > 0) {
+  if (uses(scene, Feature::Media)) {
     const Vec p = madd(paths.ray.d, medium.t, paths.ray.o);
     v.reflect_from = select(v.in_medium, p, v.reflect_from);
     v.material.base_color = select(v.in_medium, medium.albedo, v.material.base_color);
@@ -81,7 +82,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   paths.ray.from = select(v.in_medium, Int(kNoHit), hit.primitive);
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
-  if (scene.samples_lights && any(lit))
+  if (uses(scene, Feature::Lights) && any(lit))
     add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
@@ -93,7 +94,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   const Mask same_side = dot(next.wi, v.ng) > Real(0);
   // Shading normals can send a reflection below the real surface, or a refraction above it.
   next.valid = next.valid && same_side == (dot(next.wi, v.n) > Real(0));
-  if (scene.medium_count > 0) {
+  if (uses(scene, Feature::Media)) {
     const Mask m = v.in_medium;
     next.wi = select(m, square_to_sphere(u), next.wi);
     next.weight = select(m, medium.albedo, next.weight);
@@ -108,7 +109,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   }
   paths.throughput = paths.throughput * next.weight;
   Mask unknown = next.delta;
-  if (scene.mirror_count > 0) {
+  if (uses(scene, Feature::ImagesInMirrors)) {
     // A first mirror keeps the density that the ray had: light sampling knows that way too.
     const Mask first = next.delta && paths.pdf > Real(0) && paths.mirror == Int(kNoMirror);
     paths.mirror = Int(kNoMirror);
@@ -121,7 +122,7 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
     }
   }
   paths.pdf = select(unknown, Real(0), next.pdf);
-  if (scene.has_dielectric) {
+  if (uses(scene, Feature::Dielectric)) {
     const Mask refracted = v.on_surface && next.delta && !same_side;
     const Real ior2 = v.material.ior * v.material.ior;
     paths.roulette_scale =

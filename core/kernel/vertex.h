@@ -2,6 +2,7 @@
 // Where a path is: the surface that its ray met, or a point in a medium.
 
 #include "core/accel/hit_surface.h"
+#include "core/kernel/uses.h"
 #include "core/materials/bsdf.h"
 #include "core/textures/texture.h"
 
@@ -26,9 +27,10 @@ inline void find_surface(const SceneView<T>& scene, const Ray& ray, const Neares
   const Int primitive = select(active, hit.primitive, Int(0U));
   v.material = materials_of(scene, gather(scene.material, primitive), active);
   v.offset = select(active, gather(scene.offset, primitive), Real(0));
-  v.surface = surface_of(scene, ray, hit, active, Mask(scene.needs_uv) && is_textured(v.material));
+  v.surface = surface_of(scene, ray, hit, active,
+                         Mask(uses(scene, Feature::Coordinates)) && is_textured(v.material));
   v.object_point = Vec(Real(0));
-  if (scene.to_object != nullptr) {
+  if (uses(scene, Feature::SolidTextures)) {
     for_each_distinct(primitive, active, [&](std::uint32_t i, Mask m) {
       const Affine to_object = affine_at(Row{scene.to_object + std::size_t{12} * i}, 0);
       v.object_point = select(m, to_object.point(v.surface.p), v.object_point);
@@ -41,8 +43,9 @@ inline void find_surface(const SceneView<T>& scene, const Ray& ray, const Neares
         eval_texture(scene, texture, v.surface.u, v.surface.v, v.object_point, textured);
     color = select(textured, color * value, color);
   };
-  if (scene.has_textures) apply(v.material.base_color_texture, v.material.base_color);
-  if (scene.has_emission_textures) apply(v.material.emission_texture, v.material.emission);
+  if (uses(scene, Feature::Textures)) apply(v.material.base_color_texture, v.material.base_color);
+  if (uses(scene, Feature::EmissionTextures))
+    apply(v.material.emission_texture, v.material.emission);
 }
 
 /// Where a ray starts that leaves surface point p on the side that the geometric normal n points

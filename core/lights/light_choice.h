@@ -8,6 +8,7 @@
 // part in the weights of multiple importance sampling, so a light judged 0 is left to the paths'
 // own rays.
 
+#include "core/kernel/uses.h"
 #include "core/lights/chooser.h"
 #include "core/lights/light_tree.h"
 #include "core/lights/mirror.h"
@@ -63,6 +64,7 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
     c.of[i] = contribution(Row{scene.light_candidates + i * kLightCandidateStride}, at);
     c.total += c.of[i];
   }
+  if (!uses(scene, Feature::ImagesInMirrors)) return c;
   std::uint32_t i = scene.direct_candidates;
   for (std::uint32_t m = 0; m < scene.mirror_count; ++m) {
     const Mirror mirror = mirror_at(Row{scene.mirrors + m * kMirrorStride});
@@ -122,8 +124,7 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
   Real value = contribution(row, at);
   const Mask seen = known && image;
   if (any(seen)) {
-    const Mirror m = mirror_at(merged_rows<kMirrorStride>(
-        mirror, seen, [&](std::uint32_t i) { return scene.mirrors + i * kMirrorStride; }));
+    const Mirror m = mirrors_of(scene, mirror, seen);
     value = select(seen, value * share_in_window(m, place_before(m, at.p), row), value);
   }
   return select(known, value * scale, Real(0));
@@ -131,7 +132,7 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
 
 /// True where the choice depends on the point, which paths then remember.
 inline bool point_chooses(const SceneView<T>& scene) {
-  return scene.candidate_count > 0 || scene.light_nodes != nullptr;
+  return uses(scene, Feature::ChoiceOfLights) || uses(scene, Feature::LightTree);
 }
 
 /// The scene's way of choosing, by 32 random bits; the scene must have lights. `scale` is what
@@ -139,8 +140,8 @@ inline bool point_chooses(const SceneView<T>& scene) {
 inline LightChoice choose_light(const SceneView<T>& scene, const Chooser& at, Int random,
                                 Mask active, Real& scale) {
   scale = Real(1);
-  if (scene.candidate_count > 0) return choose_by_contribution(scene, at, random, scale);
-  if (scene.light_nodes != nullptr) return choose_by_tree(scene, at, random, active);
+  if (uses(scene, Feature::ChoiceOfLights)) return choose_by_contribution(scene, at, random, scale);
+  if (uses(scene, Feature::LightTree)) return choose_by_tree(scene, at, random, active);
   return choose_by_power(scene, random);
 }
 
@@ -148,9 +149,9 @@ inline LightChoice choose_light(const SceneView<T>& scene, const Chooser& at, In
 /// itself); 0 where !active.
 inline Real pmf_of_light(const SceneView<T>& scene, const Chooser& at, Int light, Int mirror,
                          Real scale, Mask active) {
-  if (scene.candidate_count > 0)
+  if (uses(scene, Feature::ChoiceOfLights))
     return pmf_by_contribution(scene, at, light, mirror, scale, active);
-  if (scene.light_nodes != nullptr) return pmf_by_tree(scene, at, light, active);
+  if (uses(scene, Feature::LightTree)) return pmf_by_tree(scene, at, light, active);
   return select(active, gather(scene.light_pmf, select(active, light, Int(0U))), Real(0));
 }
 

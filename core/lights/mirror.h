@@ -77,6 +77,12 @@ inline Int mirror_of(const SceneView<T>& scene, Int primitive, Vec n, Mask activ
   return mirror;
 }
 
+/// Each active lane's own mirror.
+inline Mirror mirrors_of(const SceneView<T>& scene, Int mirror, Mask active) {
+  return mirror_at(merged_rows<kMirrorStride>(
+      mirror, active, [&](std::uint32_t i) { return scene.mirrors + i * kMirrorStride; }));
+}
+
 inline std::uint32_t mirror_index(T number) {
   return number < T(0) ? kNoMirror : static_cast<std::uint32_t>(number);
 }

@@ -2,6 +2,7 @@
 // The one switch over lobes: each kind present in the scene is evaluated under a mask and skipped
 // when no lane wants it.
 
+#include "core/kernel/uses.h"
 #include "core/materials/dielectric.h"
 #include "core/materials/fuzz.h"
 #include "core/materials/ggx.h"
@@ -32,27 +33,27 @@ inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, cons
                               Vec wo, Mask entering, Vec2 u, Real u_lobe) {
   BsdfSample s{frame.z, Vec(Real(0)), Real(0), Mask(false), Mask(false)};
   const Mask lambertian = is_kind(m, BsdfKind::Lambertian);
-  if (scene.has_lambertian && any(lambertian)) {
+  if (uses(scene, Feature::Lambertian) && any(lambertian)) {
     merge(lambertian, sample_lambertian(m.base_color, frame, u), s);
   }
   const Mask mirror = is_kind(m, BsdfKind::Mirror);
-  if (scene.has_mirror && any(mirror)) {
+  if (uses(scene, Feature::Mirror) && any(mirror)) {
     const BsdfSample r{reflect(wo, frame.z), m.base_color, Real(1), dot(wo, frame.z) > Real(0),
                        Mask(true)};
     merge(mirror, r, s);
   }
   const Mask fuzz = is_kind(m, BsdfKind::Fuzz);
-  if (scene.has_fuzz && any(fuzz)) {
+  if (uses(scene, Feature::Fuzz) && any(fuzz)) {
     merge(fuzz, sample_fuzz(m.base_color, m.fuzz, frame.z, wo, u, u_lobe), s);
   }
   const Mask ggx = is_kind(m, BsdfKind::Ggx);
-  if (scene.has_ggx && any(ggx)) {
+  if (uses(scene, Feature::Ggx) && any(ggx)) {
     BsdfSample r = sample_ggx(m.base_color, m.alpha, frame.to_local(wo), u);
     r.wi = frame.to_world(r.wi);
     merge(ggx, r, s);
   }
   const Mask glass = is_kind(m, BsdfKind::Dielectric);
-  if (scene.has_dielectric && any(glass)) {
+  if (uses(scene, Feature::Dielectric) && any(glass)) {
     merge(glass, sample_dielectric(m.base_color, m.ior, entering, frame.z, wo, u_lobe), s);
   }
   return s;
@@ -67,15 +68,15 @@ inline BsdfValue eval_bsdf(const SceneView<T>& scene, const Material& m, const F
     v.pdf = select(mask, from.pdf, v.pdf);
   };
   const Mask lambertian = is_kind(m, BsdfKind::Lambertian);
-  if (scene.has_lambertian && any(lambertian)) {
+  if (uses(scene, Feature::Lambertian) && any(lambertian)) {
     merge_value(lambertian, eval_lambertian(m.base_color, frame.z, wi));
   }
   const Mask fuzz = is_kind(m, BsdfKind::Fuzz);
-  if (scene.has_fuzz && any(fuzz)) {
+  if (uses(scene, Feature::Fuzz) && any(fuzz)) {
     merge_value(fuzz, eval_fuzz(m.base_color, m.fuzz, frame.z, wo, wi));
   }
   const Mask ggx = is_kind(m, BsdfKind::Ggx);
-  if (scene.has_ggx && any(ggx)) {
+  if (uses(scene, Feature::Ggx) && any(ggx)) {
     merge_value(ggx, eval_ggx(m.base_color, m.alpha, frame.to_local(wo), frame.to_local(wi)));
   }
   return v;

@@ -1,6 +1,7 @@
 #pragma once
 // The shapes by kind: which numbers describe each, and the primitives of many lanes sorted by kind.
 
+#include "core/kernel/uses.h"
 #include "core/shapes/box.h"
 #include "core/shapes/cylinder.h"
 #include "core/shapes/disc.h"
@@ -51,15 +52,17 @@ void for_each_kind(const SceneView<T>& scene, Int surface, Mask active, F f) {
     if (any(m)) f.template operator()<kKind>(m);
   };
   call.template operator()<PrimitiveKind::Sphere>();
-  call.template operator()<PrimitiveKind::Ellipsoid>();
+  if constexpr (compiled(Feature::Ellipsoids)) {
+    call.template operator()<PrimitiveKind::Ellipsoid>();
+    call.template operator()<PrimitiveKind::EllipticCylinder>();
+  }
   call.template operator()<PrimitiveKind::Cylinder>();
-  call.template operator()<PrimitiveKind::EllipticCylinder>();
   call.template operator()<PrimitiveKind::Disc>();
   call.template operator()<PrimitiveKind::Rectangle>();
   call.template operator()<PrimitiveKind::Triangle>();
   call.template operator()<PrimitiveKind::Pyramid>();
   call.template operator()<PrimitiveKind::Box>();
-  call.template operator()<PrimitiveKind::Mesh>();
+  if constexpr (compiled(Feature::Meshes)) call.template operator()<PrimitiveKind::Mesh>();
 }
 
 LIGHTBENCH_KERNEL_END

@@ -49,8 +49,7 @@ struct Compiled {
     return parts->geometry->space.to_scene({r.o.x, r.o.y, r.o.z});
   }
   [[nodiscard]] test_reference::Ray ray(double x, double y, std::uint32_t sample = 0) const {
-    return test_reference::camera_ray(parts->view.camera, x, y,
-                                      Sampler{hash(17U), reverse_bits(sample)});
+    return test_reference::camera_ray(parts->view, x, y, Sampler{hash(17U), reverse_bits(sample)});
   }
 };
 dvec3 direction(const test_reference::Ray& r) { return {r.d.x, r.d.y, r.d.z}; }

@@ -224,7 +224,7 @@ TEST(Compile, AnotherKernelTakesNothingOver) {
 }
 
 bool used(const RenderScene& scene, const std::string& feature) {
-  for (const Feature& f : scene.stats.features) {
+  for (const FeatureUse& f : scene.stats.features) {
     if (f.name == feature) return f.used;
   }
   ADD_FAILURE() << "no feature called " << feature;
@@ -265,6 +265,13 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          s.objects[0].shape = SphereShape{{0, 0, 0}, 1, {1, 0, 0}};
        }},
       {"triangles", [](S s) { s.objects[0].shape = TriangleShape{}; }},
+      {"meshes",
+       [](S s) {
+         s.meshes.push_back({"mesh", "", tetrahedron(1)});
+         s.objects[0].shape = MeshShape{0};
+       }},
+      {"ellipsoids", [](S s) { s.objects[0].transform.scale = {1, 2, 1}; }},
+      {"emission", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
       {"lens", [](S s) { s.camera.lens_radius = 0.1; }},
       {"lights", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
       {"choice of lights",
