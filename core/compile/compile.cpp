@@ -70,6 +70,10 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.has_triangles = of_kind(PrimitiveKind::Triangle) + of_kind(PrimitiveKind::Mesh) > 0;
   v.row = g.row.data();
   v.rows = g.rows.data();
+  const auto or_null = [](const std::vector<T>& columns) {
+    return columns.empty() ? nullptr : columns.data();
+  };
+  for (unsigned k = 0; k < kPrimitiveKinds; ++k) v.columns[k] = or_null(g.columns[k]);
   v.offset = g.offset.data();
   v.meshes = g.mesh_views.data();
   v.hit_quality =
@@ -81,6 +85,7 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   }
   v.material = p.materials->of_primitive.data();
   v.materials = p.materials->rows.data();
+  v.material_columns = or_null(p.materials->columns);
   v.medium_count = static_cast<std::uint32_t>(p.materials->media.size());
   v.media = p.materials->media.data();
   v.textures = p.textures->rows.data();
@@ -108,6 +113,7 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
         static_cast<std::uint32_t>(p.lights->candidates.size() / kLightCandidateStride);
     v.mirror_count = static_cast<std::uint32_t>(p.lights->mirror_end.size());
     v.mirrors = p.lights->mirrors.data();
+    v.mirror_columns = or_null(p.lights->mirror_columns);
     v.mirror_end = p.lights->mirror_end.data();
     v.image_candidate = p.lights->image_candidate.data();
   }

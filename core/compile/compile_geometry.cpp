@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/compile/columns.h"
 #include "core/compile/compile_mesh.h"
 #include "core/compile/shape_rows.h"
 #include "core/scene/transform.h"
@@ -158,6 +159,12 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     const auto* sphere = std::get_if<SphereShape>(&o.shape);
     part->moving = part->moving || (sphere != nullptr && sphere->motion != glm::dvec3(0) &&
                                     reach->shutter_close > reach->shutter_open);
+  }
+  for (std::size_t begin = 0, end = 0; begin < part->surface_count; begin = end) {
+    while (end < part->surface_count && part->kind[end] == part->kind[begin]) ++end;
+    const std::size_t next = end < part->row.size() ? part->row[end] : part->rows.size();
+    append_columns(&part->rows[part->row[begin]], end - begin,
+                   (next - part->row[begin]) / (end - begin), part->columns[part->kind[begin]]);
   }
   if (part->surface_count >= kTinyScene || has_mesh) {
     if (!part->moving) boxes_end.clear();

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "core/compile/columns.h"
 #include "core/compile/light_candidates.h"
 #include "core/compile/light_tree.h"
 
@@ -54,6 +55,8 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
   }
   // Lanes that scatter in a medium read row 0 too; a scene of media alone has no material.
   if (part->rows.empty()) part->rows.resize(kMaterialStride);
+  append_columns(part->rows.data(), part->rows.size() / kMaterialStride, kMaterialStride,
+                 part->columns);
   for (std::size_t i = 0; i < geometry.object.size(); ++i) {
     const Object& o = scene.objects[static_cast<std::size_t>(geometry.object[i])];
     part->of_primitive.push_back(i < geometry.surface_count ? static_cast<std::uint32_t>(o.material)

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/compile/columns.h"
+
 namespace lightbench {
 namespace {
 
@@ -193,6 +195,7 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
   if (candidates <= kMaxLightCandidates) {
     lights.candidates.insert(lights.candidates.end(), images.begin(), images.end());
     lights.mirrors = std::move(mirrors);
+    append_columns(lights.mirrors.data(), mirror_end.size(), kMirrorStride, lights.mirror_columns);
     lights.mirror_end = std::move(mirror_end);
     lights.image_candidate = std::move(image_candidate);
   }

@@ -37,6 +37,7 @@ struct GeometryPart {
   bool moving = false;
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;
+  std::vector<T> columns[kPrimitiveKinds];       ///< of few surfaces of a kind
   std::vector<int> object;                       ///< of each primitive, index into Scene::objects
   std::vector<std::uint32_t> surface_of_object;  ///< primitive, or kNoHit; by Scene::objects
   std::vector<double> area;  ///< render space; of a mesh instance 0 (see light part)
@@ -47,7 +48,7 @@ struct GeometryPart {
 
 template <class T>
 struct MaterialPart {
-  std::vector<T> rows;
+  std::vector<T> rows, columns;
   std::vector<std::uint32_t> of_primitive;
   std::vector<MediumView<T>> media;
   double brightest = 0;  ///< largest component of the radiance that a surface emits
@@ -60,7 +61,7 @@ struct LightPart {
   std::vector<T> pmf, alias_threshold;
   // Choice by contribution (core/compile/light_candidates.h).
   std::uint32_t direct_candidates = 0;
-  std::vector<T> candidates, mirrors;
+  std::vector<T> candidates, mirrors, mirror_columns;
   std::vector<std::uint32_t> mirror_end, image_candidate;
   // By a tree (core/compile/light_tree.h).
   std::vector<T> tree_rows;

@@ -92,6 +92,11 @@ inline Real gather(const float* table, Int index) {
 inline Int gather(const std::uint32_t* table, Int index) {
   return Int(IntLanes(_mm512_i32gather_epi32(IntRegister(index.v), table, 4)));
 }
+/// Entry `index` (its low four bits) of a table of sixteen numbers.
+inline Real look_up(const float* table, Int index) {
+  return Real(
+      RealLanes(_mm512_permutexvar_ps(IntRegister(index.v), __m512(_mm512_loadu_ps(table)))));
+}
 inline Int load(const std::uint32_t* p) { return Int(IntLanes(_mm512_loadu_si512(p))); }
 inline void store(std::uint32_t* p, Int a) { _mm512_storeu_si512(p, IntRegister(a.v)); }
 #else
@@ -133,6 +138,14 @@ inline Real gather(const float* table, Int index) {
 inline Int gather(const std::uint32_t* table, Int index) {
   return Int(IntLanes(
       _mm256_i32gather_epi32(reinterpret_cast<const int*>(table), IntRegister(index.v), 4)));
+}
+/// Entry `index` (its low four bits) of a table of sixteen numbers.
+inline Real look_up(const float* table, Int index) {
+  const auto i = IntRegister(index.v);
+  const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), i);
+  const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), i);
+  return Real(
+      RealLanes(_mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(i, 28)))));
 }
 inline Int load(const std::uint32_t* p) {
   return Int(IntLanes(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))));

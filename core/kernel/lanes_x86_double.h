@@ -93,6 +93,12 @@ inline Real floor(Real a) {
 inline Real gather(const double* table, Int index) {
   return Real(RealLanes(_mm512_i32gather_pd(IntRegister(index.v), table, 8)));
 }
+/// Entry `index` (its low four bits) of a table of sixteen numbers.
+inline Real look_up(const double* table, Int index) {
+  return Real(RealLanes(_mm512_permutex2var_pd(_mm512_loadu_pd(table),
+                                               _mm512_cvtepu32_epi64(IntRegister(index.v)),
+                                               _mm512_loadu_pd(table + 8))));
+}
 inline Real load(const float* p) { return Real(RealLanes(_mm512_cvtps_pd(_mm256_loadu_ps(p)))); }
 inline void store(std::uint32_t* p, Int a) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), IntRegister(a.v));
@@ -138,6 +144,10 @@ inline Mask mask_from_bits(std::uint32_t b) {
 inline Real floor(Real a) { return Real(RealLanes(_mm256_floor_pd(a.v))); }
 inline Real gather(const double* table, Int index) {
   return Real(RealLanes(_mm256_i32gather_pd(table, IntRegister(index.v), 8)));
+}
+/// Entry `index` (its low four bits) of a table of sixteen numbers.
+inline Real look_up(const double* table, Int index) {
+  return gather(table, Int(IntLanes(index.v & 15U)));
 }
 inline Real load(const float* p) { return Real(RealLanes(_mm256_cvtps_pd(_mm_loadu_ps(p)))); }
 inline void store(std::uint32_t* p, Int a) {

@@ -32,6 +32,8 @@ enum class HitQuality { Plain, Refined };
 inline constexpr std::uint32_t kNoLight = 0xffffffffU;
 inline constexpr std::uint32_t kNoHit = 0xffffffffU;
 inline constexpr unsigned kMaterialStride = 16;
+/// Rows of tables that are stored by columns too.
+inline constexpr unsigned kColumnRows = 16;
 inline constexpr unsigned kTextureStride = 16;
 /// Lights and their images in mirrors that are chosen between by contribution, at most.
 inline constexpr unsigned kMaxLightCandidates = 32;
@@ -97,6 +99,8 @@ struct SceneView {
   std::uint32_t kind_begin[kPrimitiveKinds + 1] = {};
   const std::uint32_t* row = nullptr;  ///< offset of the primitive's numbers in `rows`
   const T* rows = nullptr;
+  /// By kind, surfaces only, from the first of its primitives on; null where they are too many.
+  const T* columns[kPrimitiveKinds] = {};
   const T* offset = nullptr;  ///< bound on the error of a point on it, render space
   const std::uint32_t* material = nullptr;
   const std::uint32_t* first_light = nullptr;  ///< light of the primitive (of a mesh's slot 0)
@@ -110,6 +114,7 @@ struct SceneView {
   const std::uint32_t* leaves = nullptr;  ///< primitive indices in leaf order
 
   const T* materials = nullptr;
+  const T* material_columns = nullptr;  ///< null where materials are too many
   const T* textures = nullptr;
   const ImageView* images = nullptr;  ///< by texture
 
@@ -130,6 +135,7 @@ struct SceneView {
   const T* light_candidates = nullptr;
   std::uint32_t mirror_count = 0;
   const T* mirrors = nullptr;
+  const T* mirror_columns = nullptr;          ///< null where mirrors are too many
   const std::uint32_t* mirror_end = nullptr;  ///< past the last candidate of each mirror
   /// Candidate of each mirror and light (mirror * light_count + light), kNoLight for none.
   const std::uint32_t* image_candidate = nullptr;

@@ -2,6 +2,7 @@
 // Three-vectors of lanes, frames, affine maps and the table rows they are read from.
 
 #include "core/kernel/lanes.h"
+#include "core/kernel/scene_view.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -115,6 +116,17 @@ LaneRow<kSize> merged_rows(Int id, Mask active, F row) {
     first = false;
   });
   return merged;
+}
+
+/// Row `index` of a small table that is stored column by column (core/compile/columns.h): with all
+/// of a column in a register, each lane picks its own number at once.
+template <unsigned kSize>
+LaneRow<kSize> row_of_columns(const T* columns, Int index) {
+  LaneRow<kSize> row;
+  for (unsigned k = 0; k < kSize; ++k) {
+    row.numbers[k] = look_up(columns + std::size_t{kColumnRows} * k, index);
+  }
+  return row;
 }
 
 /// 3x4 matrix, row major, 12 entries.

@@ -79,6 +79,8 @@ inline Int mirror_of(const SceneView<T>& scene, Int primitive, Vec n, Mask activ
 
 /// Each active lane's own mirror.
 inline Mirror mirrors_of(const SceneView<T>& scene, Int mirror, Mask active) {
+  if (scene.mirror_columns != nullptr)
+    return mirror_at(row_of_columns<kMirrorStride>(scene.mirror_columns, mirror));
   return mirror_at(merged_rows<kMirrorStride>(
       mirror, active, [&](std::uint32_t i) { return scene.mirrors + i * kMirrorStride; }));
 }

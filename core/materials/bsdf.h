@@ -43,9 +43,11 @@ inline Material black_material() {
 /// Row `index` of the material table; black where !active.
 inline Material materials_of(const SceneView<T>& scene, Int index, Mask active) {
   if (none(active)) return black_material();
-  Material m = material_at(merged_rows<kMaterialNumbers>(index, active, [&](std::uint32_t i) {
-    return scene.materials + std::size_t{i} * kMaterialStride;
-  }));
+  Material m = material_at(scene.material_columns != nullptr
+                               ? row_of_columns<kMaterialNumbers>(scene.material_columns, index)
+                               : merged_rows<kMaterialNumbers>(index, active, [&](std::uint32_t i) {
+                                   return scene.materials + std::size_t{i} * kMaterialStride;
+                                 }));
   m.kind = select(active, m.kind, Int(static_cast<std::uint32_t>(BsdfKind::Black)));
   m.emission = select(active, m.emission, Vec(Real(0)));
   return m;

@@ -37,6 +37,9 @@ auto shape_at(const auto& row, [[maybe_unused]] Real time) {
 template <PrimitiveKind kKind>
 auto rows_of(const SceneView<T>& scene, Int primitive, Mask active) {
   constexpr unsigned kSize = decltype(shape_at<kKind>(Row{}, Real(0)))::kRow;
+  constexpr auto k = static_cast<unsigned>(kKind);
+  if (scene.columns[k] != nullptr)
+    return row_of_columns<kSize>(scene.columns[k], primitive - Int(scene.kind_begin[k]));
   return merged_rows<kSize>(primitive, active,
                             [&](std::uint32_t i) { return scene.rows + scene.row[i]; });
 }
