@@ -34,6 +34,7 @@ inline void sincos(Real x, Real& s, Real& c) {
   s = sin(x);
   c = cos(x);
 }
+inline void sincos_octant(Real x, Real& s, Real& c) { sincos(x, s, c); }
 inline Real acos(Real x) {
   return for_each_lane(min(max(x, Real(-1)), Real(1)), [](T a) { return std::acos(a); });
 }

@@ -44,6 +44,17 @@ inline Real log(Real x) {
 /// -log(1 - u), u in [0,1). A 24-bit u makes 1 - u exact, so nothing is lost near 0.
 inline Real exponential(Real u) { return -log(1.0F - u); }
 
+/// sin(r) and cos(r) for |r| <= pi/4.
+inline void sincos_octant(Real r, Real& s, Real& c) {
+  const Real z = r * r;
+  s = fma(z, -1.9515295891e-4F, 8.3321608736e-3F);
+  s = fma(s, z, -1.6666654611e-1F);
+  s = fma(s * z, r, r);
+  c = fma(z, 2.443315711809948e-5F, -1.388731625493765e-3F);
+  c = fma(c, z, 4.166664568298827e-2F);
+  c = fma(c * z, z, fma(z, -0.5F, 1.0F));
+}
+
 /// sin(x) and cos(x) for |x| < 8192: reduction to [-pi/4, pi/4] in three steps.
 inline void sincos(Real x, Real& s, Real& c) {
   const Real n = floor(fma(x, 0.636619772367581F, 0.5F));
@@ -51,13 +62,8 @@ inline void sincos(Real x, Real& s, Real& c) {
   Real r = fma(n, -1.5703125F, x);
   r = fma(n, -4.837512969970703125e-4F, r);
   r = fma(n, -7.54978995489188216e-8F, r);
-  const Real z = r * r;
-  Real ps = fma(z, -1.9515295891e-4F, 8.3321608736e-3F);
-  ps = fma(ps, z, -1.6666654611e-1F);
-  ps = fma(ps * z, r, r);
-  Real pc = fma(z, 2.443315711809948e-5F, -1.388731625493765e-3F);
-  pc = fma(pc, z, 4.166664568298827e-2F);
-  pc = fma(pc * z, z, fma(z, -0.5F, 1.0F));
+  Real ps, pc;
+  sincos_octant(r, ps, pc);
   const Mask swap = (quadrant & Int(1U)) == Int(1U);
   const Real a = select(swap, pc, ps);
   const Real b = select(swap, ps, pc);

@@ -40,13 +40,9 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
     find_surface(scene, shadow, hit, s.valid, v);
     return select(s.valid && (front || v.material.two_sided), v.material.emission, Vec(Real(0)));
   }
-  Vec emission(Real(0));
-  for_each_distinct(place.primitive, s.valid, [&](std::uint32_t i, Mask m) {
-    const Row row{scene.materials + std::size_t{scene.material[i]} * kMaterialStride};
-    const Mask facing = m && (front || Mask(row.base[12] > T(0)));
-    emission = select(facing, row.vec(8), emission);
-  });
-  return emission;
+  const Int primitive = select(s.valid, place.primitive, Int(0U));
+  const Material material = materials_of(scene, gather(scene.material, primitive), s.valid);
+  return select(front || material.two_sided, material.emission, Vec(Real(0)));
 }
 
 /// The light that was hit, in the lanes where it is one that the sampler can choose; 0 elsewhere.

@@ -15,10 +15,10 @@ inline Vec2 square_to_disk(Vec2 u) {
   const Mask wide = abs(a) > abs(b);
   const Real r = select(wide, a, b);
   const Real ratio = select(wide, b, a) / select(r == Real(0), Real(1), r);
-  const Real phi = select(wide, ratio * (kPi / 4), Real(kPi / 2) - ratio * (kPi / 4));
+  // The angle is this, or a quarter turn less this.
   Real s, c;
-  sincos(phi, s, c);
-  return {r * c, r * s};
+  sincos_octant(ratio * (kPi / 4), s, c);
+  return {r * select(wide, c, s), r * select(wide, s, c)};
 }
 
 /// Cosine-weighted hemisphere around +z.
