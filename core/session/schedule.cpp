@@ -8,7 +8,6 @@
 namespace lightbench {
 namespace {
 
-constexpr double kLookSeconds = 0.025;  // leaves room for compile and display within 1/30 s
 constexpr int kLookLongAxis = 128;
 constexpr int kFinestLook = 3;  // at 2 it would cost a quarter of the full pass
 constexpr double kPassSeconds = 1.0;

@@ -32,14 +32,17 @@ struct Progress {
 };
 
 /// The next pass, or nothing when the target or the time limit is reached. Interactive renders
-/// start with a look at the divider that fits 25 ms, at least 128 pixels on the long axis (Cycles'
-/// rule), replaced by the first full pass where that fits too. Finer looks follow, which can be
-/// cancelled (finer_divider). Then passes end at 1, 2, 4, 8, ... spp, at each of `stops`, and at
-/// the target; none is predicted to last more than a second, since a pass is what an interrupt can
-/// lose. At least one sample is taken whatever the time limit.
+/// start with a look at the divider that fits kLookSeconds, at least 128 pixels on the long axis
+/// (Cycles' rule), replaced by the first full pass where that fits too. Finer looks follow, which
+/// can be cancelled (finer_divider). Then passes end at 1, 2, 4, 8, ... spp, at each of `stops`,
+/// and at the target; none is predicted to last more than a second, since a pass is what an
+/// interrupt can lose. At least one sample is taken whatever the time limit.
 std::optional<Pass> next_pass(const Progress& progress, const std::vector<int>& stops);
 
-/// Divider of a look that is predicted to fit 25 ms.
+/// Of the first look after an edit; leaves room for the rest of its way to the screen within 20 ms.
+inline constexpr double kLookSeconds = 0.015;
+
+/// Divider of a look that is predicted to fit kLookSeconds.
 int look_divider(int width, int height, double look_speed);
 
 /// Divider of what follows a look at `divider`: half of it down to 3, then 1. So each picture has

@@ -70,7 +70,7 @@ TEST(Schedule, FirstLookFitsItsBudgetAndIsNotCancellable) {
   ASSERT_TRUE(look);
   EXPECT_FALSE(look->cancellable);
   EXPECT_EQ(look->sample_count, 1U);
-  EXPECT_EQ(look->divider, 5);  // 256x144 = 36864 samples, 18 ms; 320x180 would last 29 ms
+  EXPECT_EQ(look->divider, 6);  // 214x120 = 25680 samples, 13 ms; 256x144 would last 18 ms
 }
 
 TEST(Schedule, FinerLooksLeadToTheFirstPassAndCanBeCancelled) {
@@ -113,7 +113,7 @@ TEST(Schedule, LookShrinksWithSpeedButNotBelow128Pixels) {
       }
       const double pixels =
           std::ceil(double(width) / divider) * std::ceil(double(height) / divider);
-      if (speed > 0 && pixels > 0.025 * speed) {
+      if (speed > 0 && pixels > kLookSeconds * speed) {
         EXPECT_EQ(divider, std::max(1, std::max(width, height) / 128));
       }
     }
