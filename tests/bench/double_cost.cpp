@@ -19,7 +19,7 @@ namespace lightbench {
 namespace {
 
 constexpr int kSide = 256, kSpp = 6;
-constexpr int kMore = 48;  ///< further shapes behind the first; below the 64 that get a tree
+constexpr int kMore = 48;  ///< further shapes behind the first; too few for a tree
 
 Mesh round_mesh() {
   constexpr std::uint32_t kRows = 32, kColumns = 64;

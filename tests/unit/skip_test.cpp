@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "app/proof/measure.h"
+#include "core/compile/compile_geometry.h"
 #include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
 #include "tests/unit/small_scenes.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr KernelKind kTested[] = {KernelKind::Auto, KernelKind::Scalar, KernelKind::Reference};
 
-/// Sixty-four objects of all shapes but meshes, which is what the tree is built from.
+/// Objects of all shapes but meshes, as few as a tree is built from.
 Scene crowd() {
   Scene scene;
   scene.render.width = 24;
@@ -33,7 +34,7 @@ Scene crowd() {
   scene.materials[1].roughness = 0.4;
   const Shape shapes[] = {SphereShape{},   CylinderShape{}, DiscShape{}, RectangleShape{},
                           TriangleShape{}, PyramidShape{},  BoxShape{}};
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < static_cast<int>(kTinyScene); ++i) {
     Object o;
     o.shape = shapes[i % 7];
     o.material = i % 3;
