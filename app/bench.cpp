@@ -30,7 +30,8 @@ struct BenchOptions {
   SceneOptions scene;
   std::vector<std::string> files;
   std::string references = "scenes/references";
-  std::string kernels, ab, time = "10s", json, html, progress;
+  std::string kernels, time = "10s", json, html, progress;
+  std::vector<std::string> ab;
   std::string reference_time = "1h";
   double reference_error = 1e-4;
   bool make_references = false;
@@ -120,37 +121,65 @@ Scene bench_scene(const BenchOptions& options, const std::string& file,
   return scene;
 }
 
+/// One --ab: a setting and the values that it is given in turn.
+struct Variation {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+Variation parse_variation(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  Variation v{text.substr(0, equals), {}};
+  if (equals != std::string::npos) v.values = split(text.substr(equals + 1));
+  if (v.values.size() < 2 || !(v.key.starts_with("/") || v.key == "kernel" || v.key == "threads")) {
+    throw Error(ErrorKind::Usage,
+                fmt::format("--ab '{}': expected kernel=A,B, threads=A,B or /POINTER=A,B", text));
+  }
+  return v;
+}
+
+/// The subject with the k-th value of each variation.
+bench::Subject varied(const BenchOptions& options, const std::string& file,
+                      const std::vector<Variation>& variations, std::size_t k) {
+  bench::Subject subject{
+      "", {}, chosen_kernel(options.scene), thread_count(chosen_threads(options.scene))};
+  std::vector<std::string> definitions;
+  for (const Variation& v : variations) {
+    const std::string text = v.key + "=" + v.values[k];
+    subject.name += (subject.name.empty() ? "" : " ") + text;
+    if (v.key == "kernel") {
+      subject.kernel = parse_kernel("--ab kernel", v.values[k]);
+    } else if (v.key == "threads") {
+      SceneOptions with_threads = options.scene;
+      with_threads.threads = v.values[k];
+      subject.threads = thread_count(chosen_threads(with_threads));
+    } else {
+      definitions.push_back(text);
+    }
+  }
+  subject.scene = bench_scene(options, file, definitions);
+  return subject;
+}
+
 /// What is measured against each other.
 std::vector<bench::Subject> subjects(const BenchOptions& options, const std::string& file) {
-  const int threads = thread_count(chosen_threads(options.scene));
   std::vector<bench::Subject> list;
   if (!options.ab.empty()) {
-    const std::size_t equals = options.ab.find('=');
-    const std::string key = options.ab.substr(0, equals);
-    const std::vector<std::string> values = equals == std::string::npos
-                                                ? std::vector<std::string>()
-                                                : split(options.ab.substr(equals + 1));
-    const bool pointer = key.starts_with("/");
-    if (values.size() < 2 || !(pointer || key == "kernel" || key == "threads")) {
-      throw Error(
-          ErrorKind::Usage,
-          fmt::format("--ab '{}': expected kernel=A,B, threads=A,B or /POINTER=A,B", options.ab));
-    }
-    for (const std::string& value : values) {
-      bench::Subject subject{key + "=" + value, {}, chosen_kernel(options.scene), threads};
-      if (key == "kernel") subject.kernel = parse_kernel("--ab kernel", value);
-      if (key == "threads") {
-        SceneOptions with_threads = options.scene;
-        with_threads.threads = value;
-        subject.threads = thread_count(chosen_threads(with_threads));
+    std::vector<Variation> variations;
+    for (const std::string& text : options.ab) {
+      variations.push_back(parse_variation(text));
+      if (variations.back().values.size() != variations[0].values.size()) {
+        throw Error(ErrorKind::Usage,
+                    fmt::format("--ab '{}': expected {} values, as many as '{}' has", text,
+                                variations[0].values.size(), options.ab[0]));
       }
-      subject.scene = bench_scene(
-          options, file,
-          pointer ? std::vector<std::string>{key + "=" + value} : std::vector<std::string>());
-      list.push_back(std::move(subject));
+    }
+    for (std::size_t k = 0; k < variations[0].values.size(); ++k) {
+      list.push_back(varied(options, file, variations, k));
     }
     return list;
   }
+  const int threads = thread_count(chosen_threads(options.scene));
   const Scene scene = bench_scene(options, file);
   for (const std::string& kernel :
        split(options.kernels.empty() ? options.scene.kernel : options.kernels)) {
@@ -254,8 +283,10 @@ void add_bench(CLI::App& app, Action& action) {
       ->type_name("NAME[,NAME...]");
   command
       .add_option("--ab", options->ab,
-                  "Compare settings in turn, run by run: kernel=A,B, threads=A,B, /POINTER=A,B")
-      ->type_name("NAME=A,B[,C...]");
+                  "Compare settings in turn, run by run: kernel=A,B, threads=A,B, /POINTER=A,B; "
+                  "repeated, the first values go together, the second, ...")
+      ->type_name("NAME=A,B[,C...]")
+      ->allow_extra_args(false);
   command.add_option("--json", options->json, "Write all figures")->type_name("FILE");
   command.add_option("--html", options->html, "Write a page with plots and maps")
       ->type_name("FILE");

@@ -107,6 +107,20 @@ TEST_F(CliBench, FindsTheBetterOfTwoSettings) {
   EXPECT_LT(worse[2].get<double>(), 0.5) << worse;
 }
 
+TEST_F(CliBench, VariesSeveralSettingsAtOnce) {
+  make_reference();
+  const Json subjects = figures({"--ab", "/render/sampler=independent,sobol", "--ab",
+                                 "/render/strategy=bsdf,mis"})["subjects"];
+  ASSERT_EQ(subjects.size(), 2U);
+  EXPECT_EQ(subjects[0]["name"], "/render/sampler=independent /render/strategy=bsdf");
+  EXPECT_EQ(subjects[1]["name"], "/render/sampler=sobol /render/strategy=mis");
+  EXPECT_GT(subjects[1]["againstFirst"]["efficiencyRatio"][1].get<double>(), 2);
+  const ProgramResult r =
+      bench({"--ab", "/render/sampler=independent,sobol", "--ab", "threads=1,1,1"});
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_NE(r.err.find("expected 2 values"), std::string::npos) << r.err;
+}
+
 TEST_F(CliBench, AReferenceKeepsWhatHalfCannot) {
   make_reference();
   const auto file = folder.path() / "refs/s.exr";
