@@ -12,7 +12,7 @@ LIGHTBENCH_KERNEL_BEGIN
 struct Vertex {
   Surface surface;
   Material material;  ///< textures applied
-  Vec object_point;   ///< the surface point in object space; only where solid textures are used
+  Vec object_point;   ///< where solid textures are read, in object space; only where they are used
   Vec wo;
   Vec ng, n;   ///< geometric and shading normal on the side of wo
   Mask front;  ///< wo is outside
@@ -31,9 +31,12 @@ inline void find_surface(const SceneView<T>& scene, const Ray& ray, const Neares
                          Mask(uses(scene, Feature::Coordinates)) && is_textured(v.material));
   v.object_point = Vec(Real(0));
   if (uses(scene, Feature::SolidTextures)) {
+    // Below the surface by what rounding may make of the point and its map: a face in the plane
+    // between two cells of a checker, or a sphere that touches it, would show both at random.
+    const Vec p = madd(v.surface.ng, T(-2) * v.offset, v.surface.p);
     for_each_distinct(primitive, active, [&](std::uint32_t i, Mask m) {
       const Affine to_object = affine_at(Row{scene.to_object + std::size_t{12} * i}, 0);
-      v.object_point = select(m, to_object.point(v.surface.p), v.object_point);
+      v.object_point = select(m, to_object.point(p), v.object_point);
     });
   }
   const auto apply = [&](Int texture, Vec& color) {

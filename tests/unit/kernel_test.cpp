@@ -137,5 +137,53 @@ TEST(Kernel, NamesAndSupportAreConsistent) {
   EXPECT_STREQ(kernel_name(KernelKind::Avx2Double), "avx2-double");
 }
 
+/// One object that shines in the colours of a 3-D checker, seen from above.
+Scene shining_checker(const Shape& shape, double scale) {
+  Scene scene;
+  scene.render.width = scene.render.height = 24;
+  scene.render.max_depth = 1;
+  scene.camera.look_from = {0.1, 4, 0.2};
+  scene.camera.look_at = {0.1, 0, 0.2};
+  scene.camera.up = {0, 0, -1};
+  scene.camera.vfov = 8;
+  scene.textures.emplace_back();
+  scene.textures[0].kind = TextureKind::Checker;
+  scene.textures[0].scale = scale;
+  scene.materials.emplace_back();
+  scene.materials[0].kind = MaterialKind::Emissive;
+  scene.materials[0].emissive = glm::dvec3(1);
+  scene.materials[0].emissive_texture = 0;
+  scene.materials[0].two_sided = true;
+  Object object;
+  object.shape = shape;
+  object.material = 0;
+  scene.objects = {object};
+  return scene;
+}
+
+void expect_uniform(const Scene& scene, KernelKind kernel, float value) {
+  const Image image = film_of(*compile(scene, kernel), 4).mean(4);
+  for (const float x : image.rgb) ASSERT_NEAR(x, value, 1e-5) << kernel_name(kernel);
+}
+
+TEST(SolidTextures, AFaceBetweenTwoCellsShowsTheOneBelowIt) {
+  for (const KernelKind kernel : {KernelKind::Scalar, KernelKind::Reference}) {
+    // The plane y = 0, moved and turned; the cells are so large that only y tells them apart.
+    Scene floor = shining_checker(RectangleShape{{1, 0, 1}, {0, 0, 10}, {10, 0, 0}}, 0.01);
+    Transform& t = floor.objects[0].transform;
+    t.axis = {0, 1, 0};
+    t.degrees = 33;
+    t.translation = {-8.2, 1.0 / 3, -1.6};
+    expect_uniform(floor, kernel, 0.1F);
+    std::get<RectangleShape>(floor.objects[0].shape).edge_u = {10, 0, 0};  // its back
+    std::get<RectangleShape>(floor.objects[0].shape).edge_v = {0, 0, 10};
+    expect_uniform(floor, kernel, 0.9F);
+    // A large sphere that touches the plane: all of it lies below.
+    Scene ball = shining_checker(SphereShape{{500, -1000, 500}, 1000, {0, 0, 0}}, 0.001);
+    ball.objects[0].transform.translation = {-499.9, 0, -499.8};
+    expect_uniform(ball, kernel, 0.1F);
+  }
+}
+
 }  // namespace
 }  // namespace lightbench
