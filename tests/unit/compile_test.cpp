@@ -270,7 +270,10 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          s.meshes.push_back({"mesh", "", tetrahedron(1)});
          s.objects[0].shape = MeshShape{0};
        }},
-      {"ellipsoids", [](S s) { s.objects[0].transform.scale = {1, 2, 1}; }},
+      {"ellipsoids",
+       [](S s) {
+         s.objects[0].transform.scale = {1, 2, 1};
+       }},
       {"emission", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
       {"lens", [](S s) { s.camera.lens_radius = 0.1; }},
       {"lights", [](S s) { s.materials[0].emissive = glm::dvec3(1); }},
