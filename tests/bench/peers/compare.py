@@ -16,20 +16,13 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
+sys.dont_write_bytecode = True  # nothing is left beside the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import throw_away_environment  # noqa: E402
+
 REQUIREMENTS = ["mitsuba==3.9.1", "numpy"]
-
-
-def in_throw_away_environment():
-    """Runs this script again in an environment of its own."""
-    with tempfile.TemporaryDirectory(prefix="lightbench-peers-") as folder:
-        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-        python = pathlib.Path(folder, "bin", "python")
-        subprocess.run([python, "-m", "pip", "install", "--quiet", *REQUIREMENTS], check=True)
-        return subprocess.run([python, *sys.argv],
-                              env={**os.environ, "LIGHTBENCH_PEERS": folder}).returncode
 
 
 def read_pfm(path):
@@ -73,9 +66,7 @@ def main():
     parser.add_argument("--spp", default="8,32,128")
     parser.add_argument("--reference-spp", type=int, default=4096)
     options = parser.parse_args()
-    if "LIGHTBENCH_PEERS" not in os.environ:
-        sys.exit(in_throw_away_environment())
-    folder = pathlib.Path(os.environ["LIGHTBENCH_PEERS"])
+    folder = throw_away_environment.enter(REQUIREMENTS)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
     reference, _ = lightbench(options, options.reference_spp, 1000, folder)

@@ -15,21 +15,14 @@ import pathlib
 import random
 import subprocess
 import sys
-import tempfile
+
+sys.dont_write_bytecode = True  # nothing is left beside the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import throw_away_environment  # noqa: E402
 
 REQUIREMENTS = ["matplotlib==3.10.0", "numpy==2.2.1"]
 HEADLINE = pathlib.Path(__file__).resolve().parents[3] / "scenes" / "cornell-three-lights.json"
 VERTICES = 4e6  # of a run, about
-
-
-def in_throw_away_environment():
-    """Runs this script again in an environment of its own."""
-    with tempfile.TemporaryDirectory(prefix="lightbench-scaling-") as folder:
-        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-        python = pathlib.Path(folder, "bin", "python")
-        subprocess.run([python, "-m", "pip", "install", "--quiet", *REQUIREMENTS], check=True)
-        return subprocess.run([python, *sys.argv],
-                              env={**os.environ, "LIGHTBENCH_SCALING": folder}).returncode
 
 
 def room(objects, materials, **more):
@@ -130,9 +123,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--largest", type=int, default=10_000_000, help="triangles")
     options = parser.parse_args()
-    if "LIGHTBENCH_SCALING" not in os.environ:
-        sys.exit(in_throw_away_environment())
-    folder = pathlib.Path(os.environ["LIGHTBENCH_SCALING"])
+    folder = throw_away_environment.enter(REQUIREMENTS)
 
     def stored(name, scene):
         file = folder / f"{name}.json"
