@@ -89,7 +89,7 @@ void judge(const RenderScene& scene, const Target& target, const Ray& ray,
   if (!hit || !clear) return;
   const V p = exact_position(*hit);
   const Number error = std::max(glm::length(p - (exact.o + point.t * exact.d)),
-                                std::abs(static_cast<Number>(hit->t) - point.t));
+                                std::abs(told_distance(ray, *hit) - point.t));
   const Number off = std::abs(off_plane(target.shape, p)) / (2 * rounding_of(scene));
   tallies[kScored].trial();
   tallies[kScored].measure(static_cast<double>(std::max(error / unit, off)), text);

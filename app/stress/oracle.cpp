@@ -187,6 +187,10 @@ OracleRay into_object(const OracleRay& ray, const Matrix& world_to_object) {
 
 V exact_position(const Hit& hit) { return V(hit.position) + V(hit.position_remainder); }
 
+Number told_distance(const Ray& ray, const Hit& hit) {
+  return static_cast<Number>(hit.t) * glm::length(V(ray.direction));
+}
+
 Span solid_span(const Shape& shape, const OracleRay& ray, Number grow) {
   if (const auto* s = std::get_if<SphereShape>(&shape)) return span_of(*s, ray, grow);
   if (const auto* s = std::get_if<CylinderShape>(&shape)) return span_of(*s, ray, grow);

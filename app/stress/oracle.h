@@ -24,6 +24,8 @@ OracleRay exact_ray(const RenderScene& scene, const Ray& ray);
 OracleRay into_object(const OracleRay& ray, const Matrix& world_to_object);
 
 V exact_position(const Hit& hit);
+/// Length of the way to the hit: t counts in the ray's own direction, which is unit only about.
+Number told_distance(const Ray& ray, const Hit& hit);
 
 /// Interval of a ray inside a solid (sphere, cylinder, box, pyramid).
 struct Span {

@@ -81,7 +81,7 @@ void judge(const RenderScene& scene, const Target& target, const Ray& ray,
   // An error along the ray is the error of a face over its cosine; beside an edge, of the steeper.
   const Number cosine = std::min(std::abs(glm::dot(solid_normal(target.shape, right), exact.d)),
                                  std::abs(glm::dot(V(hit->geometric_normal), exact.d)));
-  const Number along = std::abs(static_cast<Number>(hit->t) - span.near) * cosine;
+  const Number along = std::abs(told_distance(ray, *hit) - span.near) * cosine;
   const Number off = std::abs(outside_of(target.shape, p));
   tallies[kScored].trial();
   tallies[kScored].measure(static_cast<double>(std::max(along / unit, off / rounding_of(scene))),
