@@ -63,13 +63,19 @@ std::string place_text(const Scene& scene, const PathVertex& v) {
       triple(v.position), v.distance, triple(v.geometric_normal), triple(v.shading_normal));
 }
 
+std::string way_text(const Scene& scene, int via) {
+  if (via == kNone) return "";
+  const Object& object = scene.objects[static_cast<std::size_t>(via)];
+  const Material& material = scene.materials[static_cast<std::size_t>(object.material)];
+  const bool glass = material.kind == MaterialKind::Dielectric;
+  return (glass ? " through " : " in the mirror ") + object_name(scene, via);
+}
+
 std::string light_text(const Scene& scene, const RenderScene& compiled, const LightTry& light) {
   const LightPoint& p = light.point;
-  std::string text =
-      fmt::format("   light      {}{} chosen with probability {:.9g}: ",
-                  object_name(scene, light_source(compiled, p.light).object),
-                  light.mirror == kNone ? "" : " in the mirror " + object_name(scene, light.mirror),
-                  p.selection);
+  std::string text = fmt::format("   light      {}{} chosen with probability {:.9g}: ",
+                                 object_name(scene, light_source(compiled, p.light).object),
+                                 way_text(scene, light.via), p.selection);
   if (!p.valid) return text + "no point of it can be seen from here\n";
   text += fmt::format(
       "direction {}, {:.9g} away, pdf {:.9g} /sr\n"

@@ -73,9 +73,9 @@ void draw_render_panel(Workbench& bench) {
       enum_field("Strategy", render.strategy, {"Lights and BSDF", "Lights only", "BSDF only"},
                  "How light is looked for. One strategy alone shows the same picture with more "
                  "noise: for finding faults");
-      enum_field("Light choice", render.light_choice, {"With mirrors", "Contribution", "Power"},
+      enum_field("Light choice", render.light_choice, {"With images", "Contribution", "Power"},
                  "Which light a point samples: by what it would bring, images in plane mirrors "
-                 "included; without those; or by power");
+                 "and glass spheres included; without those; or by power");
       enum_field("Sampler", render.sampler, {"Sobol", "Independent"},
                  "Random numbers: Owen-scrambled Sobol points, or plain ones to compare with");
       toggle_field(

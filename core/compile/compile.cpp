@@ -116,6 +116,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.mirror_columns = or_null(p.lights->mirror_columns);
     v.mirror_end = p.lights->mirror_end.data();
     v.image_candidate = p.lights->image_candidate.data();
+    v.lens_count = static_cast<std::uint32_t>(p.lights->lens_end.size());
+    v.lenses = p.lights->lenses.data();
+    v.lens_tables = p.lights->lens_tables.data();
+    v.first_lens_candidate = p.lights->first_lens_candidate;
+    v.lens_end = p.lights->lens_end.data();
   }
   v.independent_samples = scene.render.sampler == SamplerKind::Independent;
   v.camera = compile_camera(scene, g, crop);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/compile/columns.h"
+#include "core/compile/lenses.h"
 
 namespace lightbench {
 namespace {
@@ -149,6 +150,17 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* f
   for (const double x : numbers) rows.push_back(static_cast<T>(x));
 }
 
+/// Seen through a lens: the table in place of a window.
+template <class T>
+void append_candidate(const Lamp& lamp, std::uint32_t light, const GlassSphere& sphere, int lens,
+                      std::vector<T>& rows) {
+  append_candidate(lamp, light, nullptr, lens, rows);
+  T* row = &rows[rows.size() - kLightCandidateStride];
+  row[10] = static_cast<T>(1 / glm::distance(lamp.place.center, sphere.middle()));
+  const auto turns = lens_turns(lamp, sphere);
+  std::transform(turns.begin(), turns.end(), row + 11, [](double x) { return static_cast<T>(x); });
+}
+
 template <class T>
 void append_mirror(const MirrorFace& face, T offset, std::vector<T>& rows) {
   for (const dvec3& v : {face.n, face.origin, face.dual_u(), face.dual_v()}) {
@@ -172,8 +184,8 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
   }
   lights.direct_candidates = light_index(count);
 
-  std::vector<T> images, mirrors;
-  std::vector<std::uint32_t> mirror_end, image_candidate;
+  std::vector<T> images, mirrors, lenses, tables;
+  std::vector<std::uint32_t> mirror_end, image_candidate, lens_end;
   std::uint32_t candidates = lights.direct_candidates;
   for (const MirrorFace& face : mirror_faces(scene, geometry)) {
     const auto mirror = static_cast<int>(mirror_end.size());
@@ -192,14 +204,36 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
     append_mirror(face, geometry.offset[face.primitive], mirrors);
     image_candidate.insert(image_candidate.end(), of_lights.begin(), of_lights.end());
   }
+  const std::uint32_t first_lens_candidate = candidates;
+  for (const GlassSphere& sphere : glass_spheres(scene, geometry)) {
+    const auto lens = static_cast<int>(mirror_end.size() + lens_end.size());
+    const std::uint32_t before = candidates;
+    std::vector<std::uint32_t> of_lights(count, kNoLight);
+    for (std::size_t l = 0; l < count; ++l) {
+      const bool mesh =
+          static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]) == PrimitiveKind::Mesh;
+      if (mesh || !can_light(lamps[l], sphere)) continue;
+      of_lights[l] = candidates++;
+      append_candidate(lamps[l], light_index(l), sphere, lens, images);
+      for (const double x : lens_table(lamps[l], sphere)) tables.push_back(static_cast<T>(x));
+    }
+    if (candidates == before) continue;
+    lens_end.push_back(candidates);
+    append_lens(sphere, geometry.offset[sphere.primitive], lenses);
+    image_candidate.insert(image_candidate.end(), of_lights.begin(), of_lights.end());
+  }
   if (candidates <= kMaxLightCandidates) {
     lights.candidates.insert(lights.candidates.end(), images.begin(), images.end());
     lights.mirrors = std::move(mirrors);
     append_columns(lights.mirrors.data(), mirror_end.size(), kMirrorStride, lights.mirror_columns);
     lights.mirror_end = std::move(mirror_end);
     lights.image_candidate = std::move(image_candidate);
+    lights.lenses = std::move(lenses);
+    lights.lens_tables = std::move(tables);
+    lights.first_lens_candidate = first_lens_candidate;
+    lights.lens_end = std::move(lens_end);
   }
-  if (count == 1 && lights.mirror_end.empty()) {
+  if (count == 1 && lights.mirror_end.empty() && lights.lens_end.empty()) {
     lights.candidates.clear();
     lights.direct_candidates = 0;
   }

@@ -1,35 +1,16 @@
 #pragma once
-// Next-event estimation: one sample of one light from each vertex, straight or by way of a mirror.
+// Next-event estimation: one sample of one light from each vertex, straight, by way of a mirror or
+// through a lens.
 
 #include "core/accel/closest_hit.h"
 #include "core/film/counters.h"
 #include "core/kernel/emission.h"
 #include "core/kernel/uses.h"
+#include "core/lights/detour.h"
 #include "core/materials/scatter.h"
 #include "core/media/medium.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-/// The way of a light sample by a mirror: to `t` along d, then on along the sample's own direction
-/// from `through`. Where !mirrored the way is straight.
-struct MirrorWay {
-  Mask mirrored;
-  Mirror mirror;
-  Vec d, through;
-  Real t;
-};
-
-/// Light sample in a mirror: from the mirrored point, where the way meets the mirror's face.
-inline MirrorWay by_mirror(const Mirror& mirror, Mask mirrored_lanes, Vec from, LightSample& s) {
-  MirrorWay way{mirrored_lanes, mirror, mirrored_direction(mirror, s.d), {}, {}};
-  const Vec place = place_before(mirror, from);
-  way.t = place.z / dot(mirror.n, s.d);
-  way.through = madd(way.d, way.t, from);
-  const Vec at = place_before(mirror, way.through);
-  const Mask meets = way.t > Real(0) && way.t < s.distance && within_outline(mirror, at.x, at.y);
-  s.valid = s.valid && (!mirrored_lanes || meets);
-  return way;
-}
 
 /// Traces a part of the way to a light, as long as `length`: leaves in `light` what media let pass,
 /// and takes the lanes of `leg` where something is in the way out of `wanted`; returns what.
@@ -55,7 +36,7 @@ template <class Watch>
                                                const Frame& frame, Int dimension_base, Mask active,
                                                Paths& paths, Counters& counters, Watch& watch) {
   const Int random = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x;
-  const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n)};
+  const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n), paths.ray.time};
   Real scale;
   const LightChoice chosen = choose_light(scene, at, random, active, scale);
   if (point_chooses(scene)) {
@@ -67,26 +48,40 @@ template <class Watch>
   }
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
-  MirrorWay way;
-  way.mirrored = active && chosen.mirror != Int(kNoMirror);
-  const bool some_mirrored = uses(scene, Feature::ImagesInMirrors) && any(way.mirrored);
+  const bool detours =
+      uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass);
+  const Mask detour = active && chosen.via != Int(kStraight);
+  const bool some_detour = detours && any(detour);
+  Mask by_lens(false), mirrored_lanes(false);
   Vec seen_from = v.reflect_from;
-  if (some_mirrored) {
-    // One segment more than the straight way.
-    way.mirrored =
-        way.mirrored && paths.segments + Int(1U) < Int(static_cast<std::uint32_t>(scene.max_depth));
-    active = active && (way.mirrored || chosen.mirror == Int(kNoMirror));
+  if (some_detour) {
+    by_lens = detour && is_lens(scene, chosen.via);
+    // One segment more than the straight way, or two.
+    const Int more = select(by_lens, Int(2U), Int(1U));
+    active = active &&
+             (!detour || paths.segments + more < Int(static_cast<std::uint32_t>(scene.max_depth)));
     if (none(active)) return;
-    way.mirror = mirrors_of(scene, chosen.mirror, way.mirrored);
-    seen_from = select(way.mirrored, mirrored(way.mirror, seen_from), seen_from);
+    by_lens = by_lens && active;
+    mirrored_lanes = detour && active && !by_lens;
+    if (any(mirrored_lanes)) {
+      const Mirror mirror = mirrors_of(scene, chosen.via, mirrored_lanes);
+      seen_from = select(mirrored_lanes, mirrored(mirror, seen_from), seen_from);
+    }
   }
-  LightSample s = sample_light(scene, place, seen_from, paths.ray.time, u, active);
-  const Mask own = active && !way.mirrored && place.primitive == paths.ray.from;
+  LightSample s = sample_light(scene, place, seen_from, paths.ray.time, u, active && !by_lens);
+  const Mask straight = active && !by_lens && !mirrored_lanes;
+  const Mask own = straight && place.primitive == paths.ray.from;
   if (any(own)) sample_own_lights(scene, place, paths.ray, v.reflect_from, u, !v.front, own, s);
   Vec wi = s.d;
-  if (some_mirrored) {
-    way = by_mirror(way.mirror, way.mirrored, v.reflect_from, s);
-    wi = select(way.mirrored, way.d, wi);
+  Detour way;
+  if (some_detour) {
+    way = straight_on();
+    if (any(mirrored_lanes)) take_mirror(scene, chosen.via, mirrored_lanes, v.reflect_from, s, way);
+    if (any(by_lens)) {
+      take_lens(scene, at, chosen, place, u, by_lens, s, way);
+      seen_from = select(by_lens, way.origin, seen_from);
+    }
+    wi = select(way.taken, way.d, s.d);
   }
 
   BsdfValue value{Vec(Real(T(0.25) * kInvPi)), Real(kPdfSphere)};
@@ -104,15 +99,14 @@ template <class Watch>
   const Vec emission = light_radiance(scene, place, s, shadow);
 
   const Real pdf = s.pdf * chosen.pmf;
-  const Real share = scene.counts_hits_of_lights ? power_heuristic(pdf, value.pdf) : Real(1);
+  const Real other = some_detour ? value.pdf * way.passing : value.pdf;
+  const Real share = scene.counts_hits_of_lights ? power_heuristic(pdf, other) : Real(1);
   const Real weight = share / pdf;
   Vec light = paths.throughput * value.f * emission * weight;
-  if (some_mirrored) light = select(way.mirrored, light * way.mirror.color, light);
+  if (some_detour) light = light * way.color;
   if constexpr (Watch::kOn) {
-    const Int mirror = some_mirrored
-                           ? select(way.mirrored, to_int(way.mirror.primitive), Int(kNoHit))
-                           : Int(kNoHit);
-    watch.light_sampled(chosen, s, wi, value, emission, weight * pdf, mirror);
+    watch.light_sampled(chosen, s, wi, value, emission, weight * pdf,
+                        some_detour ? way.by : Int(kNoHit));
   }
   Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
@@ -121,19 +115,25 @@ template <class Watch>
   shadow.o = v.reflect_from;
   Real length = s.distance;
   Int blocker(kNoHit);
-  if (some_mirrored) {
+  if (some_detour) {
     shadow.d = wi;
-    shadow.skip = to_int(way.mirror.primitive);
+    shadow.skip = way.by;
     shadow.skip_slot = Int(kNoHit);
     shadow.skip_back = false;
-    blocker = trace_leg(scene, shadow, way.t, wanted && way.mirrored, light, wanted, counters);
-    // The second leg leaves the mirror.
-    const Vec through = leave_surface(way.through, way.mirror.n, way.mirror.offset);
-    shadow.o = select(way.mirrored, through, shadow.o);
+    blocker = trace_leg(scene, shadow, way.t, wanted && way.taken, light, wanted, counters);
+    // What follows leaves the mirror or the lens.
+    shadow.from = select(way.taken, way.by, shadow.from);
+    shadow.from_slot = select(way.taken, Int(kNoHit), shadow.from_slot);
+    if (any(wanted && way.crowded)) {
+      shadow.o = way.inner;
+      shadow.d = way.within;
+      const Int inside =
+          trace_leg(scene, shadow, way.chord, wanted && way.crowded, light, wanted, counters);
+      blocker = select(inside != Int(kNoHit), inside, blocker);
+    }
+    shadow.o = select(way.taken, way.origin, v.reflect_from);
     shadow.d = s.d;
-    shadow.from = select(way.mirrored, shadow.skip, shadow.from);
-    shadow.from_slot = select(way.mirrored, Int(kNoHit), shadow.from_slot);
-    length = select(way.mirrored, length - way.t, length);
+    length = select(way.taken, way.rest, length);
   }
   shadow.skip = place.primitive;
   shadow.skip_slot = place.slot;

@@ -74,9 +74,10 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
     // origin.
     Vec from = paths.ray.o;
     Real distance = hit.t;
-    const Mask mirrored_lanes = known && paths.mirror != Int(kNoMirror);
+    const Mask by_lens = known && is_lens(scene, paths.via);
+    const Mask mirrored_lanes = known && paths.via != Int(kStraight) && !by_lens;
     if (uses(scene, Feature::ImagesInMirrors) && any(mirrored_lanes)) {
-      const Mirror mirror = mirrors_of(scene, paths.mirror, mirrored_lanes);
+      const Mirror mirror = mirrors_of(scene, paths.via, mirrored_lanes);
       from = select(mirrored_lanes, mirrored(mirror, paths.chosen_from), from);
       distance = select(mirrored_lanes, distance + length(paths.ray.o - from), distance);
     }
@@ -84,10 +85,13 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
                               distance, v.surface.ng, known);
     // As sample_own_lights() has it.
     const Mask own =
-        known && !mirrored_lanes && hit.primitive == paths.ray.from && paths.ray.inside;
+        known && !mirrored_lanes && !by_lens && hit.primitive == paths.ray.from && paths.ray.inside;
     of_shape = select(own && !mesh, Real(kPdfSphere), of_shape);
-    const Real pmf = pmf_of_light(scene, {paths.chosen_from, paths.chosen_n}, light, paths.mirror,
-                                  paths.choice_scale, known);
+    const Chooser at{paths.chosen_from, paths.chosen_n, paths.ray.time};
+    if (uses(scene, Feature::ImagesInGlass) && any(by_lens))
+      of_shape =
+          select(by_lens, pdf_through(scene, at, light, paths.via, paths.left, by_lens), of_shape);
+    const Real pmf = pmf_of_light(scene, at, light, paths.via, paths.choice_scale, known);
     const Real pdf = pmf * of_shape;
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.
     const Real share = scene.counts_hits_of_lights ? power_heuristic(paths.pdf, pdf)

@@ -18,6 +18,7 @@ enum class Feature : std::uint32_t {
   ChoiceOfLights,
   LightTree,
   ImagesInMirrors,
+  ImagesInGlass,
   Environment,
   Media,
   Textures,
@@ -64,6 +65,8 @@ bool has(const SceneView<T>& scene, Feature feature) {
       return scene.light_nodes != nullptr;
     case Feature::ImagesInMirrors:
       return scene.mirror_count > 0;
+    case Feature::ImagesInGlass:
+      return scene.lens_count > 0;
     case Feature::Environment:
       return scene.has_environment;
     case Feature::Media:

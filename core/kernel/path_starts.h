@@ -102,7 +102,7 @@ class PathStarts {
     paths.throughput = select(m, Vec(Real(1)), paths.throughput);
     paths.radiance = select(m, Vec(Real(0)), paths.radiance);
     paths.pdf = select(m, Real(0), paths.pdf);
-    paths.mirror = select(m, Int(kNoMirror), paths.mirror);
+    paths.via = select(m, Int(kStraight), paths.via);
     paths.roulette_scale = select(m, Real(1), paths.roulette_scale);
     paths.segments = select(m, Int(0U), paths.segments);
     paths.alive = paths.alive || m;

@@ -109,16 +109,29 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
   }
   paths.throughput = paths.throughput * next.weight;
   Mask unknown = next.delta;
-  if (uses(scene, Feature::ImagesInMirrors)) {
-    // A first mirror keeps the density that the ray had: light sampling knows that way too.
-    const Mask first = next.delta && paths.pdf > Real(0) && paths.mirror == Int(kNoMirror);
-    paths.mirror = Int(kNoMirror);
-    if (any(first)) {
-      paths.mirror =
+  if (uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass)) {
+    // A first mirror keeps the density that the ray had, and refraction into and out of a lens that
+    // and its own probability: light sampling knows those ways too.
+    const Mask followed = next.delta && paths.pdf > Real(0);
+    const Mask first = followed && paths.via == Int(kStraight);
+    const Int before = paths.via;
+    paths.via = Int(kStraight);
+    if (any(followed)) {
+      paths.via =
           mirror_of(scene, hit.primitive, v.ng, first && is_kind(v.material, BsdfKind::Mirror));
-      const Mask mirrored_lanes = paths.mirror != Int(kNoMirror);
-      next.pdf = select(mirrored_lanes, paths.pdf, next.pdf);
-      unknown = unknown && !mirrored_lanes;
+      if (uses(scene, Feature::ImagesInGlass)) {
+        const Mask through = followed && is_kind(v.material, BsdfKind::Dielectric) && !same_side;
+        const Int lens = lens_of(scene, hit.primitive, through);
+        const Mask enters = through && first && v.front && lens != Int(kStraight);
+        const Mask leaves = through && !v.front && lens != Int(kStraight) && before == lens;
+        paths.left = select(enters, paths.ray.d, paths.left);
+        paths.via = select(enters || leaves, lens, paths.via);
+      }
+      const Mask known = paths.via != Int(kStraight);
+      next.pdf = select(
+          known, select(is_kind(v.material, BsdfKind::Mirror), paths.pdf, paths.pdf * next.pdf),
+          next.pdf);
+      unknown = unknown && !known;
     }
   }
   paths.pdf = select(unknown, Real(0), next.pdf);

@@ -15,7 +15,8 @@ struct Paths {
   // weighted. Only where lights are chosen by contribution.
   Vec chosen_from, chosen_n;
   Real choice_scale;
-  Int mirror;           ///< through which the ray has gone since, kNoMirror for none
+  Vec left;             ///< direction in which it left for a lens
+  Int via;              ///< mirror or lens that the ray has gone by since, kStraight for none
   Real roulette_scale;  ///< undoes the radiance scaling of refraction when judging a path's worth
   Int segments;         ///< path segments traced
   Int pixel;            ///< film index

@@ -35,11 +35,18 @@ inline constexpr unsigned kMaterialStride = 16;
 /// Rows of tables that are stored by columns too.
 inline constexpr unsigned kColumnRows = 16;
 inline constexpr unsigned kTextureStride = 16;
-/// Lights and their images in mirrors that are chosen between by contribution, at most.
+/// Lights and their images in mirrors and glass that are chosen between by contribution, at most.
 inline constexpr unsigned kMaxLightCandidates = 32;
 inline constexpr unsigned kLightCandidateStride = 19;
 inline constexpr unsigned kMirrorStride = 18;
-inline constexpr std::uint32_t kNoMirror = 0xffffffffU;
+inline constexpr unsigned kLensStride = 14;
+/// Numbers of the function that a candidate seen through a lens tabulates.
+inline constexpr unsigned kLensNodes = 8;
+/// Cells of the table of what such a candidate brings (core/compile/lenses.h): by R / D, and by the
+/// sine of half the angle between the light and the axis.
+inline constexpr unsigned kLensNearness = 16, kLensAngles = 32;
+inline constexpr unsigned kLensCells = kLensNearness * kLensAngles;
+inline constexpr std::uint32_t kStraight = 0xffffffffU;
 inline constexpr unsigned kLightNodeStride = 11;
 inline constexpr std::uint32_t kLightLeaf = 0x80000000U;
 inline constexpr std::uint32_t kNoTrail = 0xffffffffU;
@@ -130,15 +137,22 @@ struct SceneView {
   const std::uint32_t* alias_other = nullptr;
 
   // By contribution instead (core/lights/light_choice.h): none if there is one light, or many.
-  // First the lights, in their order, then their images, mirror by mirror.
+  // First the lights, in their order, then their images, mirror by mirror and lens by lens.
   std::uint32_t candidate_count = 0, direct_candidates = 0;
   const T* light_candidates = nullptr;
   std::uint32_t mirror_count = 0;
   const T* mirrors = nullptr;
   const T* mirror_columns = nullptr;          ///< null where mirrors are too many
   const std::uint32_t* mirror_end = nullptr;  ///< past the last candidate of each mirror
-  /// Candidate of each mirror and light (mirror * light_count + light), kNoLight for none.
+  /// Candidate of each mirror or lens and light (via * light_count + light), kNoLight for none.
   const std::uint32_t* image_candidate = nullptr;
+
+  // Spheres of glass (core/lights/lens.h).
+  std::uint32_t lens_count = 0;
+  const T* lenses = nullptr;
+  const T* lens_tables = nullptr;  ///< kLensCells for each of their candidates
+  std::uint32_t first_lens_candidate = 0;
+  const std::uint32_t* lens_end = nullptr;  ///< past the last candidate of each lens
 
   // By a tree instead, where there are many lights (core/lights/light_tree.h).
   const T* light_nodes = nullptr;

@@ -6,17 +6,26 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// What a light sampler chose; `mirror` is kNoMirror for the light itself. pmf is 0 where nothing
-/// can be chosen.
+/// What a light sampler chose: a light, and by way of which mirror or lens (mirrors come first,
+/// then lenses), kStraight for the light itself. pmf is 0 where nothing can be chosen.
 struct LightChoice {
-  Int light, mirror;
+  Int light, via;
   Real pmf;
 };
 
-/// The point that chooses; n is 0 in a medium, which looks all around.
+/// The point that chooses; n is 0 in a medium, which looks all around. `time` is where lenses are.
 struct Chooser {
   Vec p, n;
+  Real time = Real(0);
 };
+
+/// As tables have it: -1 for straight.
+inline std::uint32_t via_of(T number) {
+  return number < T(0) ? kStraight : static_cast<std::uint32_t>(number);
+}
+inline Mask is_lens(const SceneView<T>& scene, Int via) {
+  return via != Int(kStraight) && via >= Int(scene.mirror_count);
+}
 
 inline Mask looks_all_around(const Chooser& at) { return !(length_squared(at.n) > Real(0)); }
 

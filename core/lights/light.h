@@ -113,6 +113,19 @@ inline LightSample sample_light(const SceneView<T>& scene, LightPlace place, Vec
   });
 }
 
+/// Where rays meet the lights of `place`, which are not meshes.
+[[gnu::noinline]] inline LightSample meet_light(const SceneView<T>& scene, LightPlace place,
+                                                const Ray& ray, Mask active) {
+  NearestHit hit = no_hit(Real(kInfinity));
+  for_each_distinct(place.primitive, active, [&](std::uint32_t i, Mask m) {
+    with_kind(scene, i, [&]<PrimitiveKind kKind>() {
+      test_primitive<false, kKind, TestOrder::Any>(scene, i, ray, m, hit);
+    });
+  });
+  const Mask met = active && hit.primitive != Int(kNoHit);
+  return {ray.d, surface_of(scene, ray, hit, met, Mask(false)).ng, hit.t, Real(1), met};
+}
+
 /// 0 where !active.
 inline Real pdf_light(const SceneView<T>& scene, LightPlace place, Vec from, Real time, Vec d,
                       Real t, Vec n, Mask active) {

@@ -1,7 +1,7 @@
 #pragma once
 // Which light a point samples. Where the scene has few lights, in proportion to an estimate of what
-// each would bring to that very point; and then the images of the lights in plane mirrors are
-// lights too. Where it has many, by the same estimate of whole clusters of them
+// each would bring to that very point; and then the images of the lights in plane mirrors and in
+// glass spheres are lights too. Where it has many, by the same estimate of whole clusters of them
 // (core/lights/light_tree.h). One light alone needs no choice; an alias table by power serves it.
 //
 // The estimate only has to be positive where it matters: the probability that it leads to takes
@@ -10,6 +10,7 @@
 
 #include "core/kernel/uses.h"
 #include "core/lights/chooser.h"
+#include "core/lights/lens.h"
 #include "core/lights/light_tree.h"
 #include "core/lights/mirror.h"
 #include "core/sampling/sobol.h"
@@ -23,7 +24,7 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
   const Mask keep =
       unit_from_bits(random * Int(scene.light_count)) < gather(scene.alias_threshold, i);
   const Int light = select(keep, i, gather(scene.alias_other, i));
-  return {light, Int(kNoMirror), gather(scene.light_pmf, light)};
+  return {light, Int(kStraight), gather(scene.light_pmf, light)};
 }
 
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
@@ -57,6 +58,19 @@ struct Contributions {
   Real of[kMaxLightCandidates];
   Real total;
 };
+/// Of the candidates from number i on. Out of line: most scenes have none.
+[[gnu::noinline]] inline void add_lens_contributions(const SceneView<T>& scene, const Chooser& at,
+                                                     std::uint32_t i, Contributions& c) {
+  for (std::uint32_t l = 0; l < scene.lens_count; ++l) {
+    const Lens lens = lens_at(Row{scene.lenses + l * kLensStride}, at.time);
+    const LensPlace place = place_of(lens, at);
+    for (; i < scene.lens_end[l]; ++i) {
+      const Row row{scene.light_candidates + i * kLightCandidateStride};
+      c.of[i] = contribution_through(scene, lens, place, row, Int(i));
+      c.total += c.of[i];
+    }
+  }
+}
 inline Contributions contributions(const SceneView<T>& scene, const Chooser& at) {
   Contributions c;
   c.total = Real(0);
@@ -64,7 +78,6 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
     c.of[i] = contribution(Row{scene.light_candidates + i * kLightCandidateStride}, at);
     c.total += c.of[i];
   }
-  if (!uses(scene, Feature::ImagesInMirrors)) return c;
   std::uint32_t i = scene.direct_candidates;
   for (std::uint32_t m = 0; m < scene.mirror_count; ++m) {
     const Mirror mirror = mirror_at(Row{scene.mirrors + m * kMirrorStride});
@@ -78,6 +91,7 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
       c.total += c.of[i];
     }
   }
+  if (uses(scene, Feature::ImagesInGlass)) add_lens_contributions(scene, at, i, c);
   return c;
 }
 
@@ -87,7 +101,7 @@ inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Choos
   const Contributions c = contributions(scene, at);
   const Real wanted = unit_from_bits(random) * c.total;
   Real before(0), taken(0);
-  LightChoice choice{Int(0U), Int(kNoMirror), Real(0)};
+  LightChoice choice{Int(0U), Int(kStraight), Real(0)};
   const std::uint32_t count = scene.candidate_count;
   for (std::uint32_t i = 0; i < count; ++i) {
     const T* row = scene.light_candidates + i * kLightCandidateStride;
@@ -95,7 +109,7 @@ inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Choos
     const Mask m = c.of[i] > Real(0) && wanted >= before;
     before += c.of[i];
     choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
-    choice.mirror = select(m, Int(mirror_index(row[9])), choice.mirror);
+    choice.via = select(m, Int(via_of(row[9])), choice.via);
     taken = select(m, c.of[i], taken);
   }
   scale = select(c.total > Real(0), Real(1) / c.total, Real(0));
@@ -103,31 +117,58 @@ inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Choos
   return choice;
 }
 
-/// Probability with which the point chose, or would have chosen, `light` in `mirror` (kNoMirror for
-/// itself), by the `scale` that its choice gave.
-inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, Int light, Int mirror,
+/// Number of the candidate that `light` is by way of a mirror or lens; kNoLight for none.
+inline Int candidate_of(const SceneView<T>& scene, Int light, Int via, Mask active) {
+  return gather(scene.image_candidate,
+                select(active, via * Int(scene.light_count) + light, Int(0U)));
+}
+
+/// Probability with which the point chose, or would have chosen, `light` by way of `via` (kStraight
+/// for itself), by the `scale` that its choice gave.
+inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, Int light, Int via,
                                 Real scale, Mask active) {
-  // The candidates of a mirror's images stand in the order of the lights.
-  const Mask image = active && mirror != Int(kNoMirror);
+  const Mask image = active && via != Int(kStraight);
   Int candidate = light;
-  if (any(image)) {
-    candidate = select(image,
-                       gather(scene.image_candidate,
-                              select(image, mirror * Int(scene.light_count) + light, Int(0U))),
-                       candidate);
-  }
+  if (any(image)) candidate = select(image, candidate_of(scene, light, via, image), candidate);
   const Mask known = active && candidate != Int(kNoLight);
   if (none(known)) return Real(0);
   const auto row = merged_rows<kLightCandidateStride>(candidate, known, [&](std::uint32_t i) {
     return scene.light_candidates + i * kLightCandidateStride;
   });
   Real value = contribution(row, at);
-  const Mask seen = known && image;
-  if (any(seen)) {
-    const Mirror m = mirrors_of(scene, mirror, seen);
-    value = select(seen, value * share_in_window(m, place_before(m, at.p), row), value);
+  const Mask seen = known && image, through = seen && is_lens(scene, via);
+  if (uses(scene, Feature::ImagesInGlass) && any(through)) {
+    const Lens lens = lenses_of(scene, via, at.time, through);
+    const Int some = select(through, candidate, Int(scene.first_lens_candidate));
+    value =
+        select(through, contribution_through(scene, lens, place_of(lens, at), row, some), value);
+  }
+  const Mask in_mirror = seen && !through;
+  if (any(in_mirror)) {
+    const Mirror m = mirrors_of(scene, via, in_mirror);
+    value = select(in_mirror, value * share_in_window(m, place_before(m, at.p), row), value);
   }
   return select(known, value * scale, Real(0));
+}
+
+/// What `at` sees of the light through the lens; the pair has a candidate in all active lanes.
+inline LensView lens_view(const SceneView<T>& scene, const Lens& lens, const Chooser& at, Int light,
+                          Int via, Mask active) {
+  const Int candidate = candidate_of(scene, light, via, active);
+  const auto row = merged_rows<kLightCandidateStride>(candidate, active, [&](std::uint32_t i) {
+    return scene.light_candidates + i * kLightCandidateStride;
+  });
+  return view_through(lens, row, at.p);
+}
+
+/// Density of direction d for a point that has chosen the light through the lens; 0 where that has
+/// no candidate.
+[[gnu::noinline]] inline Real pdf_through(const SceneView<T>& scene, const Chooser& at, Int light,
+                                          Int via, Vec d, Mask active) {
+  const Mask known = active && candidate_of(scene, light, via, active) != Int(kNoLight);
+  if (none(known)) return Real(0);
+  const Lens lens = lenses_of(scene, via, at.time, known);
+  return select(known, pdf_view(lens_view(scene, lens, at, light, via, known), d), Real(0));
 }
 
 /// True where the choice depends on the point, which paths then remember.
@@ -145,12 +186,12 @@ inline LightChoice choose_light(const SceneView<T>& scene, const Chooser& at, In
   return choose_by_power(scene, random);
 }
 
-/// Probability with which the point chose, or would have chosen, `light` in `mirror` (kNoMirror for
-/// itself); 0 where !active.
-inline Real pmf_of_light(const SceneView<T>& scene, const Chooser& at, Int light, Int mirror,
+/// Probability with which the point chose, or would have chosen, `light` by way of `via` (kStraight
+/// for itself); 0 where !active.
+inline Real pmf_of_light(const SceneView<T>& scene, const Chooser& at, Int light, Int via,
                          Real scale, Mask active) {
   if (uses(scene, Feature::ChoiceOfLights))
-    return pmf_by_contribution(scene, at, light, mirror, scale, active);
+    return pmf_by_contribution(scene, at, light, via, scale, active);
   if (uses(scene, Feature::LightTree)) return pmf_by_tree(scene, at, light, active);
   return select(active, gather(scene.light_pmf, select(active, light, Int(0U))), Real(0));
 }

@@ -72,7 +72,7 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
     inner = some && (child & Int(kLightLeaf)) == Int(0U);
   }
   const Mask leaf = active && (child & Int(kLightLeaf)) != Int(0U);
-  return {select(leaf, child & Int(~kLightLeaf), Int(0U)), Int(kNoMirror),
+  return {select(leaf, child & Int(~kLightLeaf), Int(0U)), Int(kStraight),
           select(leaf, pmf, Real(0))};
 }
 

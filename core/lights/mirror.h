@@ -62,9 +62,9 @@ inline Real share_in_window(const Mirror& m, Vec place, const auto& candidate) {
   return select(place.z > Real(0) && seen > Real(0), seen / whole, Real(0));
 }
 
-/// Which face the points of `active` are on, by primitive and outward normal; kNoMirror for none.
+/// Which face the points of `active` are on, by primitive and outward normal; kStraight for none.
 inline Int mirror_of(const SceneView<T>& scene, Int primitive, Vec n, Mask active) {
-  Int mirror(kNoMirror);
+  Int mirror(kStraight);
   Real nearest(T(0.5));
   for (std::uint32_t i = 0; i < scene.mirror_count; ++i) {
     const T* row = scene.mirrors + i * kMirrorStride;
@@ -83,10 +83,6 @@ inline Mirror mirrors_of(const SceneView<T>& scene, Int mirror, Mask active) {
     return mirror_at(row_of_columns<kMirrorStride>(scene.mirror_columns, mirror));
   return mirror_at(merged_rows<kMirrorStride>(
       mirror, active, [&](std::uint32_t i) { return scene.mirrors + i * kMirrorStride; }));
-}
-
-inline std::uint32_t mirror_index(T number) {
-  return number < T(0) ? kNoMirror : static_cast<std::uint32_t>(number);
 }
 
 LIGHTBENCH_KERNEL_END

@@ -30,7 +30,7 @@ inline BsdfSample sample_dielectric(Vec tint, Real ior, Mask entering, Vec n, Ve
   BsdfSample s;
   s.wi = select(reflected, reflect(wo, n), refracted);
   s.weight = select(reflected, Vec(Real(1)), tint * (inverse * inverse));
-  s.pdf = Real(1);
+  s.pdf = select(reflected, reflectance, Real(1) - reflectance);
   s.valid = cosine > Real(0);
   s.delta = true;
   return s;

@@ -29,14 +29,14 @@ inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light
     const Real total = contributions(scene, at).total;
     scale = select(total > Real(0), Real(1) / total, Real(0));
   }
-  return pmf_of_light(scene, at, select(active, light, Int(0U)), Int(kNoMirror), scale, active);
+  return pmf_of_light(scene, at, select(active, light, Int(0U)), Int(kStraight), scale, active);
 }
 
 /// A light for each point: as the path tracer chooses, but for images in mirrors.
 inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random, Mask active) {
   SceneView<T> direct = scene;
   direct.candidate_count = scene.direct_candidates;
-  direct.mirror_count = 0;
+  direct.mirror_count = direct.lens_count = 0;
   Real scale;
   return choose_light(direct, at, random, active, scale).light;
 }

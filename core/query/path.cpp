@@ -17,7 +17,7 @@ template <class T>
 LightTry light_of(const GeometryPart<T>& geometry, const KernelPathVertex& k) {
   LightTry light;
   light.point.valid = k.light.valid;
-  light.mirror = object_of(geometry, k.mirror);
+  light.via = object_of(geometry, k.via);
   light.point.light = static_cast<int>(k.light.light);
   light.point.direction = vec(k.light.d);
   light.point.distance = k.light.distance / geometry.space.scale;

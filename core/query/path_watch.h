@@ -22,7 +22,7 @@ class PathWatch {
 
   void begin(const Paths& paths) {
     v_ = {};
-    v_.primitive = v_.blocker = v_.mirror = kNoHit;
+    v_.primitive = v_.blocker = v_.via = kNoHit;
     v_.survival = 1;
     put(paths.ray.o, v_.o);
     put(paths.ray.d, v_.d);
@@ -51,9 +51,9 @@ class PathWatch {
   }
 
   void light_sampled(const LightChoice& chosen, const LightSample& s, Vec wi,
-                     const BsdfValue& value, Vec emission, Real weight, Int mirror) {
+                     const BsdfValue& value, Vec emission, Real weight, Int via) {
     v_.light_sampled = true;
-    v_.mirror = first(mirror);
+    v_.via = first(via);
     v_.light.valid = is_true(s.valid);
     v_.light.light = first(chosen.light);
     v_.light.selection = number(chosen.pmf);

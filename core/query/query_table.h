@@ -83,7 +83,7 @@ struct KernelPathVertex {
 
   bool light_sampled, light_visible;
   KernelLightPoint light;
-  std::uint32_t mirror;  ///< primitive by way of which it was sampled, or kNoHit
+  std::uint32_t via;  ///< primitive by way of which it was sampled, or kNoHit
   double light_value[3], light_value_pdf, light_weight, light_added[3];
   std::uint32_t blocker;  ///< primitive, or kNoHit
 

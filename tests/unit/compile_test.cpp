@@ -297,6 +297,16 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          mirror.material = 1;
          s.objects.push_back(mirror);
        }},
+      {"images in glass",
+       [](S s) {
+         s.materials.resize(2);
+         s.materials[0].emissive = glm::dvec3(1);
+         s.materials[1].kind = MaterialKind::Dielectric;
+         Object glass;
+         glass.shape = SphereShape{{0, 0, 20}, 1, {0, 0, 0}};
+         glass.material = 1;
+         s.objects.push_back(glass);
+       }},
       {"environment", [](S s) { s.environment.color = glm::dvec3(1); }},
       {"media",
        [](S s) {
