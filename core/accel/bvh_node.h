@@ -2,6 +2,7 @@
 // Eight-wide BVH node and the triangle block of its leaves, shared by the builder (core/accel) and
 // the kernels. Bounds are float, rounded outward from double, whatever number type the kernel has.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace lightbench {
@@ -21,6 +22,10 @@ struct alignas(32) BvhNode {
 constexpr bool is_leaf(std::uint32_t child) { return (child & BvhNode::kLeaf) != 0; }
 constexpr std::uint32_t leaf_first(std::uint32_t child) { return child & 0x00ffffffU; }
 constexpr std::uint32_t leaf_count(std::uint32_t child) { return (child >> 24) & 0x7fU; }
+
+/// Trees of more bytes are fetched ahead of their visit. Second-level caches hold 0.5 to 2 MiB; in
+/// trees that fit, asking costs rays a quarter of their speed (docs/performance.md).
+inline constexpr std::size_t kCacheBytes = std::size_t{2} << 20;
 
 /// How far the bounds of a node's children move from time 0 to time 1 (motion is linear, so bounds
 /// interpolated between the two ends contain the shape at every time).

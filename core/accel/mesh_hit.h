@@ -99,24 +99,26 @@ struct MeshHit {
 
 /// Ray (already in the mesh's space) against a mesh alone.
 inline MeshHit hit_mesh(const MeshView<T>& mesh, const SingleRay& ray, T t_min, T t_max) {
-  const BvhRay boxes = bvh_ray(ray, mesh.nodes, nullptr);
+  BvhRays<1> boxes;
+  set_ray(boxes, 0, ray, mesh.nodes, nullptr);
+  set_limit(boxes, 0, t_max);
   const MeshRay triangles = mesh_ray(ray, mesh);
   MeshHit best{t_max, kNoHit, false};
   BvhStack stack;
-  visit_node(boxes, 0, t_max, stack);
-  while (stack.size > 0) {
-    --stack.size;
-    if (stack.key[stack.size] > key_limit(best.t)) continue;
-    const std::uint32_t child = stack.child[stack.size];
+  push(stack, 0, kDone);
+  visit_node<false>(boxes, 0, 0, stack);
+  for (;;) {
+    const std::uint32_t child = pop(stack, boxes.limit[0]);
+    if (child == kDone) return best;
     if (!is_leaf(child)) {
-      visit_node(boxes, child, best.t, stack);
+      visit_node<false>(boxes, 0, child, stack);
       continue;
     }
     hit_block(triangles, leaf_first(child), t_min, best.t, [&](T t, std::uint32_t slot, T, T) {
       if (t < best.t || (t == best.t && slot < best.slot)) best = {t, slot, true};
     });
+    set_limit(boxes, 0, best.t);
   }
-  return best;
 }
 
 LIGHTBENCH_KERNEL_END

@@ -6,10 +6,9 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// Interval of solid primitive i of the given kind.
+/// Interval of a solid of the given kind.
 template <PrimitiveKind kKind>
-Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const Ray& ray) {
-  const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
+Interval solid_interval(const SceneView<T>& scene, const auto& shape, const Ray& ray) {
   if constexpr (kKind == PrimitiveKind::Sphere)
     return hit_sphere(shape, ray, hit_quality(scene)).span;
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return hit_ellipsoid(shape, ray).span;
@@ -51,7 +50,8 @@ inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const
     if constexpr (is_planar(kKind)) {
       return {Real(0), Real(0), Mask(false)};
     } else {
-      return solid_interval<kKind>(scene, i, ray);
+      const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
+      return solid_interval<kKind>(scene, shape, ray);
     }
   });
 }
@@ -60,44 +60,51 @@ inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const
 /// rising index, the first simply stays.
 enum class TestOrder { Rising, Any };
 
-/// Ray against analytic primitive i in all active lanes.
+/// Rays against analytic primitives, whose index is `id` and whose numbers are `shape`.
 template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
-inline void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
-                           NearestHit& hit) {
-  const Row row{scene.rows + scene.row[i]};
-  const Mask self = ray.from == Int(i);
+inline void test_shape(const SceneView<T>& scene, Int id, const auto& shape, const Ray& ray,
+                       Mask active, NearestHit& hit) {
+  const Mask self = ray.from == id;
   const auto report = [&](Real t, Mask m) {
     Mask nearer = t < hit.t;
-    if (kOrder == TestOrder::Any) nearer = nearer || (t == hit.t && Int(i) < hit.primitive);
+    if (kOrder == TestOrder::Any) nearer = nearer || (t == hit.t && id < hit.primitive);
     m = m && active && nearer;
     hit.t = select(m, t, hit.t);
-    hit.primitive = select(m, Int(i), hit.primitive);
+    hit.primitive = select(m, id, hit.primitive);
     return m;
   };
   if constexpr (is_planar(kKind)) {
-    const Mask barred = kShadow ? self || ray.skip == Int(i) : self;
+    const Mask barred = kShadow ? self || ray.skip == id : self;
     if constexpr (kKind == PrimitiveKind::Triangle) {
-      const TriangleHit h = hit_triangle(triangle_at(row), ray);
+      const TriangleHit h = hit_triangle(shape, ray);
       const Mask m = report(h.t, h.hit && !barred && h.t > Real(0));
       hit.b1 = select(m, h.b1, hit.b1);
       hit.b2 = select(m, h.b2, hit.b2);
     } else {
       PlaneHit h;
-      if constexpr (kKind == PrimitiveKind::Disc) h = hit_disc(disc_at(row), ray);
-      if constexpr (kKind == PrimitiveKind::Rectangle) h = hit_rectangle(rectangle_at(row), ray);
+      if constexpr (kKind == PrimitiveKind::Disc) h = hit_disc(shape, ray);
+      if constexpr (kKind == PrimitiveKind::Rectangle) h = hit_rectangle(shape, ray);
       report(h.t, h.hit && !barred && h.t > Real(0));
     }
   } else {
-    const Interval s = solid_interval<kKind>(scene, i, ray);
+    const Interval s = solid_interval<kKind>(scene, shape, ray);
     Mask entry = s.hit && s.near > Real(0) && !self;
     Mask exit = s.hit && s.far > Real(0) && (!self || ray.inside);
     if (kShadow) {
-      const Mask target = ray.skip == Int(i);
+      const Mask target = ray.skip == id;
       entry = entry && (!target || ray.skip_back);
       exit = exit && !target;
     }
     report(select(entry, s.near, s.far), entry || exit);
   }
+}
+
+/// Ray against analytic primitive i in all active lanes.
+template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
+inline void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
+                           NearestHit& hit) {
+  const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
+  test_shape<kShadow, kKind, kOrder>(scene, Int(i), shape, ray, active, hit);
 }
 
 /// All surfaces of one kind.

@@ -82,6 +82,7 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.nodes = g.tree.nodes.data();
     v.motion = g.tree.motion.empty() ? nullptr : g.tree.motion.data();
     v.leaves = g.tree.items.data();
+    v.beyond_cache = g.tree.nodes.size() * sizeof(BvhNode) > kCacheBytes;
   }
   v.material = p.materials->of_primitive.data();
   v.materials = p.materials->rows.data();

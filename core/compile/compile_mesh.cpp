@@ -93,6 +93,9 @@ MeshView<T> mesh_view(const MeshPart<T>& part) {
   view.triangles = source.triangles.empty() ? nullptr : source.triangles[0].data();
   view.normals = source.normals.empty() ? nullptr : &source.normals[0].x;
   view.uvs = source.uvs.empty() ? nullptr : &source.uvs[0].x;
+  view.beyond_cache =
+      part.nodes.size() * sizeof(BvhNode) + part.blocks.size() * sizeof(TriangleBlock<T>) >
+      kCacheBytes;
   return view;
 }
 

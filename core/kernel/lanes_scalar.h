@@ -52,6 +52,8 @@ inline Int as_int(Real a) { return std::bit_cast<Int>(a); }
 inline Real as_real(Int a) { return std::bit_cast<Real>(a); }
 #endif
 
+/// The bits of the nearest float.
+inline Int float_bits(Real a) { return std::bit_cast<Int>(static_cast<float>(a)); }
 inline Real gather(const T* table, Int index) { return table[index]; }
 inline Int gather(const std::uint32_t* table, Int index) { return table[index]; }
 /// Entry `index` (its low four bits) of a table of sixteen numbers.

@@ -168,6 +168,8 @@ inline Real fma(Real a, Real b, Real c) {
 }
 inline Int as_int(Real a) { return Int(IntLanes(a.v)); }
 inline Real as_real(Int a) { return Real(RealLanes(a.v)); }
+/// The bits of the nearest float.
+inline Int float_bits(Real a) { return as_int(a); }
 inline Real abs(Real a) { return as_real(as_int(a) & Int(0x7fffffffU)); }
 inline Real copysign(Real magnitude, Real sign) {
   return as_real((as_int(magnitude) & Int(0x7fffffffU)) | (as_int(sign) & Int(0x80000000U)));

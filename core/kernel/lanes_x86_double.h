@@ -183,6 +183,8 @@ inline Real to_real(Int a) {
 }
 /// Truncates; |a| < 2^31.
 inline Int to_int(Real a) { return Int(IntLanes(LB_REAL_INTRINSIC(cvttpd_epi32)(a.v))); }
+/// The bits of the nearest float.
+inline Int float_bits(Real a) { return Int(IntLanes(LB_REAL_INTRINSIC(cvtpd_ps)(a.v))); }
 /// Uniform in [0,1) from 32 random bits.
 inline Real unit_from_bits(Int a) {
   return (to_real(a ^ Int(0x80000000U)) + Real(2147483648.0)) * Real(0x1p-32);

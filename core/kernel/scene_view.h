@@ -63,6 +63,7 @@ struct MeshView {
   const std::uint32_t* triangles = nullptr;      ///< its vertices, 3 per triangle
   const double* normals = nullptr;               ///< 3 per vertex, or null
   const double* uvs = nullptr;                   ///< 2 per vertex, or null
+  bool beyond_cache = false;                     ///< nodes and blocks are worth asking for ahead
 };
 
 struct ImageView {
@@ -119,6 +120,7 @@ struct SceneView {
   const BvhNode* nodes = nullptr;
   const BvhMotion* motion = nullptr;      ///< null unless something moves
   const std::uint32_t* leaves = nullptr;  ///< primitive indices in leaf order
+  bool beyond_cache = false;              ///< nodes are worth asking for ahead
 
   const T* materials = nullptr;
   const T* material_columns = nullptr;  ///< null where materials are too many

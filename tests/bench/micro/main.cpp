@@ -6,6 +6,7 @@
 namespace lightbench::micro {
 void add_building();
 void add_functions();
+void add_spheres();
 void add_traversal();
 }  // namespace lightbench::micro
 
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   lightbench::micro::add_functions();
   lightbench::micro::add_building();
   lightbench::micro::add_traversal();
+  lightbench::micro::add_spheres();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
