@@ -1,4 +1,5 @@
-"""A scene rendered by Cycles, Blender's path tracer: shapes as triangles with smooth normals, box filter."""
+"""A scene rendered by Cycles, Blender's path tracer: shapes as triangles with smooth normals, flat lights as
+area lights, box filter, nothing clamped or denoised; path guiding is trained all along."""
 
 import pathlib
 import tempfile
@@ -82,8 +83,6 @@ def add_light(name, part, surface, material):
     strength = surface.radiance.max()
     light.color = (surface.radiance / strength).tolist()
     light.energy = float(strength * np.pi * area)
-    light.cycles.max_bounces = 1024
-    light.cycles.use_multiple_importance_sampling = True
     frame = np.eye(4)
     frame[:3] = np.stack([-x / lengths[0], y / lengths[1], -z, origin], axis=1)
     add(name, light, frame).visible_camera = True
@@ -92,7 +91,7 @@ def add_light(name, part, surface, material):
     add_mesh(name + " back", Part(part.kind, behind), material)
 
 
-def load(scene, width, height):
+def load(scene):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     world = bpy.data.worlds.new("sky")
     bpy.context.scene.world = world
@@ -144,7 +143,7 @@ def renderer(scene, width, height, setting):
     global bpy
     import bpy
     check_scene(scene)
-    load(scene, width, height)
+    load(scene)
     set_up(scene, width, height, "guiding" in setting)
     folder = tempfile.TemporaryDirectory()
 

@@ -1,4 +1,5 @@
-"""A scene rendered by LuxCore: PATHCPU, shapes as triangles with smooth normals, no filter."""
+"""A scene rendered by LuxCore: PATHCPU, shapes as triangles with smooth normals, no filter, samples not
+adaptive; caustics traced from the lights are its hybrid back/forward mode."""
 
 import time
 

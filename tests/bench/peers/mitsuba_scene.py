@@ -1,4 +1,5 @@
-"""A scene rendered by Mitsuba 3: its analytic shapes, path tracing with MIS, box filter."""
+"""A scene rendered by Mitsuba 3: its analytic shapes, path tracing with MIS (volpath where there are media),
+box filter."""
 
 import os
 import time

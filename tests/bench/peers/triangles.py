@@ -18,7 +18,7 @@ def check_scene(scene):
             raise CannotTranslate(f"{surface.name}: a medium is not translated")
         for part in (part for part in surface.parts if part.kind == "sphere"):
             if surface.radiance.any():
-                raise CannotTranslate(f"{surface.name}: a ball of triangles is a poor light")
+                raise CannotTranslate(f"{surface.name}: a ball of triangles is no light")
             if np.linalg.norm(part.matrix[:3, 0]) > np.linalg.norm(scene.look_from - scene.look_at):
                 raise CannotTranslate(f"{surface.name}: the facets of so large a ball would show")
 
