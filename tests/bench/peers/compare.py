@@ -92,9 +92,11 @@ def lightbench(program, scene, width, height):
 
 def at_equal_time(render, seconds):
     """spp, the least seconds, and pictures of three seeds."""
-    pilot = 8
-    render(pilot, 100)
-    spp = 2 ** max(0, round(math.log2(pilot * seconds / render(pilot, 101)[1])))
+    pilot, taken = 2, render(2, 100)[1]  # the first may compile
+    while pilot == 2 or taken < seconds / 10:
+        pilot *= 4
+        taken = render(pilot, 101)[1]
+    spp = 2 ** max(0, round(math.log2(pilot * seconds / taken)))
     pictures, times = zip(*(render(spp, seed) for seed in SEEDS))
     return spp, min(times), pictures
 

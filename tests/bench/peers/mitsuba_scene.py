@@ -1,5 +1,5 @@
 """A scene rendered by Mitsuba 3: its analytic shapes, path tracing with MIS (volpath where there are media),
-box filter."""
+box filter. multijitter takes up to 4 % more samples than asked for."""
 
 import os
 import time
@@ -8,7 +8,8 @@ import numpy as np
 
 from scene_file import CannotTranslate
 
-SETTINGS = ["independent", "multijitter"]  # samplers
+VARIANT = "llvm_ad_rgb" if os.environ.get("DRJIT_LIBLLVM_PATH") else "scalar_rgb"
+SETTINGS = [f"{VARIANT}, {sampler}" for sampler in ("independent", "multijitter")]
 
 
 def rgb(values):
@@ -91,12 +92,12 @@ def load(scene, width, height, sampler):
     return mi.load_dict(out)
 
 
-def renderer(scene, width, height, sampler):
+def renderer(scene, width, height, setting):
     """A function of spp and seed that gives a picture, row 0 on top, and seconds."""
     global mi
     import mitsuba as mi
-    mi.set_variant("llvm_ad_rgb" if os.environ.get("DRJIT_LIBLLVM_PATH") else "scalar_rgb")
-    loaded = load(scene, width, height, sampler)
+    mi.set_variant(VARIANT)
+    loaded = load(scene, width, height, setting.split(", ")[1])
 
     def render(spp, seed):
         start = time.perf_counter()
