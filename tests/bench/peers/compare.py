@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lightbench beside Mitsuba 3, LuxCore and Cycles at equal time, scene by scene.
 
-Usage: compare.py LIGHTBENCH [SCENE.json...] [--rivals mitsuba,luxcore,cycles] [--seconds 3]
+Usage: compare.py LIGHTBENCH [SCENE.json...] [--rivals mitsuba,luxcore,cycles] [--seconds 3] [--processor]
 
 Installs the rivals (pinned below) into a throw-away environment; bpy, which holds Cycles, has wheels for
 Python 3.11 only. Mitsuba's fast variant needs LLVM 16 or newer (Debian: apt-get install libllvm19, then
@@ -9,9 +9,11 @@ DRJIT_LIBLLVM_PATH=/usr/lib/x86_64-linux-gnu/libLLVM-19.so.1); without it the sc
 
 Pictures have 90,000 pixels; each renderer takes the power of two of samples per pixel that comes nearest to
 --seconds, three times with seeds of its own: the least time counts (loading and compiling are not timed, or
-are in the first alone) and the mean error. Errors are relMSE, mean((a - b)^2 / (b^2 + 0.01)), against 16
-times as many samples of Lightbench, whose own error is subtracted. A rival renders a scene only if it can say
-all of it (scene_file.py); the last column is how far the pictures' means are apart, and two standard errors.
+are in the first alone) and the mean error. --processor counts processor seconds over the number of
+processors instead, starting and writing included, for a machine with other work. Errors are relMSE,
+mean((a - b)^2 / (b^2 + 0.01)), against 16 times as many samples of Lightbench, whose own error is subtracted.
+A rival renders a scene only if it can say all of it (scene_file.py); the last column is how far the pictures'
+means are apart, and two standard errors.
 """
 
 import argparse
@@ -21,6 +23,7 @@ import math
 import multiprocessing
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -90,8 +93,25 @@ def lightbench(program, scene, width, height):
     return render
 
 
-def at_equal_time(render, seconds):
+def processor_seconds():
+    usage = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(u.ru_utime + u.ru_stime for u in usage)
+
+
+def by_processor(render):
+    """The same, timed by what it costs all processors, which other work hardly changes."""
+    def timed(spp, seed):
+        start = processor_seconds()
+        picture, _ = render(spp, seed)
+        return picture, (processor_seconds() - start) / os.cpu_count()
+
+    return timed
+
+
+def at_equal_time(render, seconds, processor):
     """spp, the least seconds, and pictures of three seeds."""
+    if processor:
+        render = by_processor(render)
     pilot, taken = 2, render(2, 100)[1]  # the first may compile
     while pilot == 2 or taken < seconds / 10:
         pilot *= 4
@@ -101,14 +121,14 @@ def at_equal_time(render, seconds):
     return spp, min(times), pictures
 
 
-def rival(module, setting, scene, width, height, seconds):
+def rival(module, setting, scene, width, height, *timing):
     """In a process of its own: the rivals' libraries do not go together, and they print much."""
     silence = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silence, 1)
     os.dup2(silence, 2)
     import scene_file
     renderer = __import__(module).renderer(scene_file.read(scene), width, height, setting)
-    return at_equal_time(renderer, seconds)
+    return at_equal_time(renderer, *timing)
 
 
 class Reference:
@@ -133,8 +153,9 @@ def compare(path, options, folder):
     """Prints the scene's table; efficiencies by renderer."""
     from scene_file import CannotTranslate
     scene, width, height = prepare(path, folder)
+    timing = options.seconds, options.processor
     ours = lightbench(options.lightbench, scene, width, height)
-    spp, seconds, pictures = at_equal_time(ours, options.seconds)
+    spp, seconds, pictures = at_equal_time(ours, *timing)
     reference = Reference(ours, spp)
     print(f"\n## {path.stem}\n\n{width}x{height}, reference of {16 * spp} spp, its relMSE {reference.own:.1e}\n\n"
           "| renderer | spp | s | relMSE | 1/(relMSE s) | mean |\n|---|---|---|---|---|---|")
@@ -153,7 +174,7 @@ def compare(path, options, folder):
         name, file = RIVALS[module][0], f"{module}_scene"
         for setting in __import__(file).SETTINGS:
             with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-                job = pool.submit(rival, file, setting, scene, width, height, options.seconds)
+                job = pool.submit(rival, file, setting, scene, width, height, *timing)
                 try:
                     report(name, f", {setting}", *job.result())
                 except CannotTranslate as why:
@@ -169,6 +190,7 @@ def main():
                         default=[HERE.parents[2] / "scenes" / f"{name}.json" for name in SCENES])
     parser.add_argument("--rivals", default=",".join(RIVALS))
     parser.add_argument("--seconds", type=float, default=3)
+    parser.add_argument("--processor", action="store_true")
     options = parser.parse_args()
     chosen = [RIVALS[name] for name in options.rivals.split(",")]
     folder = throw_away_environment.enter([*(requirement for _, requirement in chosen), "numpy", "pillow"])
