@@ -64,7 +64,12 @@ std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>
       }
     }
     const Numbers<T> row(&geometry.rows[geometry.row[i]]);
-    GlassSphere s{row.vec(0),       row.vec(4), row[3], m.ior, i, m.base_color * m.base_color,
+    GlassSphere s{row.vec(0),
+                  row.vec(4),
+                  row[3],
+                  m.ior,
+                  i,
+                  m.base_color * m.base_color,
                   /*crowded=*/object.medium != kNone};
     const auto self = static_cast<std::size_t>(geometry.object[i]);
     bool hollow = false;

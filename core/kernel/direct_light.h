@@ -48,8 +48,7 @@ template <class Watch>
   }
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
-  const bool detours =
-      uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass);
+  const bool detours = uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass);
   const Mask detour = active && chosen.via != Int(kStraight);
   const bool some_detour = detours && any(detour);
   Mask by_lens(false), mirrored_lanes(false);
