@@ -99,10 +99,10 @@ inline void test_shape(const SceneView<T>& scene, Int id, const auto& shape, con
   }
 }
 
-/// Ray against analytic primitive i in all active lanes.
+/// Ray against analytic primitive i in all active lanes. Inlined by force: it has several callers.
 template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
-inline void test_primitive(const SceneView<T>& scene, std::uint32_t i, const Ray& ray, Mask active,
-                           NearestHit& hit) {
+[[gnu::always_inline]] inline void test_primitive(const SceneView<T>& scene, std::uint32_t i,
+                                                  const Ray& ray, Mask active, NearestHit& hit) {
   const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
   test_shape<kShadow, kKind, kOrder>(scene, Int(i), shape, ray, active, hit);
 }
