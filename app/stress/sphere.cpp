@@ -34,8 +34,9 @@ Ray ray_from(Random& random, double radii) {
 }
 
 enum SphereLine { kOff, kDistance, kNormal, kWrong };
-/// Largest errors of the distance that pass, in max(distance, r).
-constexpr double kDistanceDouble = 1e-14, kDistanceFloat = 5.4e-6;
+/// A ray that starts this many roundings of its coordinates from the surface, or less, may be told
+/// either end.
+constexpr double kOnSurface = 4;
 
 void judge(const RenderScene& scene, const Ray& ray, const std::optional<Hit>& hit,
            std::span<Tally> tallies) {
@@ -67,10 +68,7 @@ void judge(const RenderScene& scene, const Ray& ray, const std::optional<Hit>& h
   if (impact > Number(0.999L)) return;
   const Number scale = std::max(away, r);
   const Number told = told_distance(ray, *hit);
-  // A ray that starts nearer to the surface than its distances are known may be told either end.
-  const Number known =
-      precision_of(scene.kernel) == Precision::Float ? kDistanceFloat : kDistanceDouble;
-  if (std::abs(span.near) < known * scale)
+  if (std::abs(span.near) < kOnSurface * rounding_of(scene) * scale)
     t = std::abs(told - span.near) < std::abs(told - span.far) ? span.near : span.far;
   tallies[kDistance].trial();
   tallies[kDistance].measure(static_cast<double>(std::abs(told - t) / scale), text);
@@ -82,8 +80,8 @@ void judge(const RenderScene& scene, const Ray& ray, const std::optional<Hit>& h
 
 std::vector<Line> lines(const std::string& where) {
   return {{"sphere " + where + ", off the surface", "distance from the surface / r", 1e-14, 4e-7},
-          {"sphere " + where + ", distance", "error of t / max(distance, r), b < .999 r",
-           kDistanceDouble, kDistanceFloat},
+          {"sphere " + where + ", distance", "error of t / max(distance, r), b < .999 r", 1e-14,
+           5.4e-6},
           {"sphere " + where + ", normal", "error / (1 + distance/r), b < .999 r", 3e-15, 1.6e-6},
           {"sphere " + where + ", hit or miss", "", kNoLimit, kNoLimit, 1e-6}};
 }

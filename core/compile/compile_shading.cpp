@@ -117,7 +117,7 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
     part->first_of_primitive.push_back(kNoLight);
     if (!emits(m)) continue;
     const glm::dvec3 e = emission(m);
-    const double radiance = glm::dot(e, glm::dvec3(0.2126, 0.7152, 0.0722)) * (m.two_sided ? 2 : 1);
+    const double radiance = luminance(e) * (m.two_sided ? 2 : 1);
     part->first_of_primitive.back() = static_cast<std::uint32_t>(part->primitive.size());
     if (geometry.kind[i] != static_cast<std::uint32_t>(PrimitiveKind::Mesh)) {
       add(i, 0, radiance * geometry.area[i]);

@@ -51,16 +51,18 @@ template <class T>
 std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry) {
   std::vector<GlassSphere> spheres;
   std::vector<Bounds> boxes;
-  for (std::uint32_t i = 0; i < geometry.surface_count; ++i) {
+  unsigned seen = 0;
+  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxLightCandidates; ++i) {
     if (static_cast<PrimitiveKind>(geometry.kind[i]) != PrimitiveKind::Sphere) continue;
     const Object& object = scene.objects[static_cast<std::size_t>(geometry.object[i])];
     const Material& m = scene.materials[static_cast<std::size_t>(object.material)];
     if (m.kind != MaterialKind::Dielectric || !(m.ior > 1) || m.base_color_texture != kNone)
       continue;
+    ++seen;
     if (boxes.empty()) {
       const std::vector<Bounds> meshes = all_mesh_bounds(scene);
       for (const Object& o : scene.objects) {
-        boxes.push_back(object_bounds(o, scene.camera, meshes));
+        boxes.push_back(o.visible ? object_bounds(o, scene.camera, meshes) : Bounds{});
       }
     }
     const Numbers<T> row(&geometry.rows[geometry.row[i]]);
@@ -85,7 +87,7 @@ std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>
 
 bool can_light(const Lamp& lamp, const GlassSphere& sphere) {
   const double reach = lamp.place.radius() + 0.5 * glm::length(sphere.motion) + sphere.radius;
-  return lamp.weight > 0 && glm::distance(lamp.place.center, sphere.middle()) > reach;
+  return glm::distance(lamp.place.center, sphere.middle()) > reach;
 }
 
 std::array<double, kLensNodes> lens_turns(const Lamp& lamp, const GlassSphere& sphere) {
@@ -108,8 +110,8 @@ std::vector<double> lens_table(const Lamp& lamp, const GlassSphere& sphere) {
     facing = -glm::dot(p.normal, way) / distance;
     facing = std::clamp(lamp.two_sided ? std::abs(facing) : facing, 0.0, 1.0);
   }
-  const double radiance = lamp.weight * glm::dot(sphere.tint, dvec3(0.2126, 0.7152, 0.0722)) /
-                          (std::numbers::pi * radius * radius) * facing;
+  const double radiance =
+      lamp.weight * luminance(sphere.tint) / (std::numbers::pi * radius * radius) * facing;
   std::array<double, kSteps + 1> sine{}, turned{}, passing{};
   for (unsigned j = 0; j <= kSteps; ++j) {
     const double theta = j * std::numbers::pi / (2 * kSteps);

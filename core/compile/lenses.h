@@ -23,7 +23,8 @@ struct GlassSphere {
   [[nodiscard]] glm::dvec3 middle() const { return center + 0.5 * motion; }
 };
 
-/// Those of the scene, but for hollow ones: spheres with something wholly inside.
+/// The scene's first kMaxLightCandidates, more cannot be used, but for hollow ones: spheres with
+/// something wholly inside.
 template <class T>
 std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry);
 

@@ -125,7 +125,7 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* f
     }
     // Of a light that the mirror's plane cuts, the part in front.
     window.z = std::max(window.z, 0.25 * extent.z);
-    weight *= dot(face->color, dvec3(0.2126, 0.7152, 0.0722));
+    weight *= luminance(face->color);
   }
   const double radius = p.radius();
   const double numbers[kLightCandidateStride] = {center.x,
@@ -178,60 +178,62 @@ template <class T>
 void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
                           const std::vector<Lamp>& lamps, LightPart<T>& lights) {
   const std::size_t count = lamps.size();
+  if (count == 0) return;
   const auto light_index = [](std::size_t l) { return static_cast<std::uint32_t>(l); };
   for (std::size_t l = 0; l < count; ++l) {
     append_candidate(lamps[l], light_index(l), nullptr, -1, lights.candidates);
   }
   lights.direct_candidates = light_index(count);
 
-  std::vector<T> images, mirrors, lenses, tables;
-  std::vector<std::uint32_t> mirror_end, image_candidate, lens_end;
   std::uint32_t candidates = lights.direct_candidates;
+  // Candidates for the lamps that `can_light`, by one way more; false where there are none, or more
+  // than the table has room for.
+  const auto add_images = [&](auto can_light, auto append) {
+    std::vector<std::uint32_t> of_lights(count, kNoLight);
+    std::uint32_t end = candidates;
+    for (std::size_t l = 0; l < count; ++l) {
+      if (lamps[l].weight > 0 && can_light(l)) of_lights[l] = end++;
+    }
+    if (end == candidates || end > kMaxLightCandidates) return false;
+    for (std::size_t l = 0; l < count; ++l) {
+      if (of_lights[l] != kNoLight) append(l);
+    }
+    candidates = end;
+    lights.image_candidate.insert(lights.image_candidate.end(), of_lights.begin(), of_lights.end());
+    return true;
+  };
   for (const MirrorFace& face : mirror_faces(scene, geometry)) {
-    const auto mirror = static_cast<int>(mirror_end.size());
-    const std::uint32_t before = candidates;
-    std::vector<std::uint32_t> of_lights(count, kNoLight);
-    for (std::size_t l = 0; l < count; ++l) {
-      if (lamps[l].weight <= 0 || lights.primitive[l] == face.primitive ||
-          !can_light(lamps[l], face)) {
-        continue;
-      }
-      of_lights[l] = candidates++;
-      append_candidate(lamps[l], light_index(l), &face, mirror, images);
-    }
-    if (candidates == before) continue;
-    mirror_end.push_back(candidates);
-    append_mirror(face, geometry.offset[face.primitive], mirrors);
-    image_candidate.insert(image_candidate.end(), of_lights.begin(), of_lights.end());
+    const auto mirror = static_cast<int>(lights.mirror_end.size());
+    const bool added = add_images(
+        [&](std::size_t l) {
+          return lights.primitive[l] != face.primitive && can_light(lamps[l], face);
+        },
+        [&](std::size_t l) {
+          append_candidate(lamps[l], light_index(l), &face, mirror, lights.candidates);
+        });
+    if (!added) continue;
+    lights.mirror_end.push_back(candidates);
+    append_mirror(face, geometry.offset[face.primitive], lights.mirrors);
   }
-  const std::uint32_t first_lens_candidate = candidates;
+  append_columns(lights.mirrors.data(), lights.mirror_end.size(), kMirrorStride,
+                 lights.mirror_columns);
+  lights.first_lens_candidate = candidates;
   for (const GlassSphere& sphere : glass_spheres(scene, geometry)) {
-    const auto lens = static_cast<int>(mirror_end.size() + lens_end.size());
-    const std::uint32_t before = candidates;
-    std::vector<std::uint32_t> of_lights(count, kNoLight);
-    for (std::size_t l = 0; l < count; ++l) {
-      const bool mesh =
-          static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]) == PrimitiveKind::Mesh;
-      if (mesh || !can_light(lamps[l], sphere)) continue;
-      of_lights[l] = candidates++;
-      append_candidate(lamps[l], light_index(l), sphere, lens, images);
-      for (const double x : lens_table(lamps[l], sphere)) tables.push_back(static_cast<T>(x));
-    }
-    if (candidates == before) continue;
-    lens_end.push_back(candidates);
-    append_lens(sphere, geometry.offset[sphere.primitive], lenses);
-    image_candidate.insert(image_candidate.end(), of_lights.begin(), of_lights.end());
-  }
-  if (candidates <= kMaxLightCandidates) {
-    lights.candidates.insert(lights.candidates.end(), images.begin(), images.end());
-    lights.mirrors = std::move(mirrors);
-    append_columns(lights.mirrors.data(), mirror_end.size(), kMirrorStride, lights.mirror_columns);
-    lights.mirror_end = std::move(mirror_end);
-    lights.image_candidate = std::move(image_candidate);
-    lights.lenses = std::move(lenses);
-    lights.lens_tables = std::move(tables);
-    lights.first_lens_candidate = first_lens_candidate;
-    lights.lens_end = std::move(lens_end);
+    const auto lens = static_cast<int>(lights.mirror_end.size() + lights.lens_end.size());
+    const bool added = add_images(
+        [&](std::size_t l) {
+          const auto kind = static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]);
+          return kind != PrimitiveKind::Mesh && can_light(lamps[l], sphere);
+        },
+        [&](std::size_t l) {
+          append_candidate(lamps[l], light_index(l), sphere, lens, lights.candidates);
+          for (const double x : lens_table(lamps[l], sphere)) {
+            lights.lens_tables.push_back(static_cast<T>(x));
+          }
+        });
+    if (!added) continue;
+    lights.lens_end.push_back(candidates);
+    append_lens(sphere, geometry.offset[sphere.primitive], lights.lenses);
   }
   if (count == 1 && lights.mirror_end.empty() && lights.lens_end.empty()) {
     lights.candidates.clear();

@@ -11,6 +11,11 @@
 
 namespace lightbench {
 
+/// Rec. 709
+inline double luminance(const glm::dvec3& c) {
+  return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
 /// The numbers of a primitive's row, in double.
 template <class T>
 class Numbers {

@@ -32,8 +32,11 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
 ///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
 ///   the front, 8 light, 9 mirror or -1, 10 two-sided, 11..17 its window (core/lights/mirror.h),
 ///   18 a quarter of the inverse of its radius.
-/// Of an image the centre and the normal are mirrored. The cosine at the point is the mean of the
-/// clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the point.
+/// Seen through a lens (core/lights/lens.h) instead: 10 the inverse of its distance from the lens,
+///   11..18 the light's part of g at the nodes.
+/// Of an image in a mirror the centre and the normal are mirrored. The cosine at the point is the
+/// mean of the clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the
+/// point.
 inline Real contribution(const auto& c, const Chooser& at) {
   const Vec d = c.vec(0) - at.p, n = c.vec(3);
   const Real r = c[6], rr = r * r;
@@ -79,7 +82,8 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
     c.total += c.of[i];
   }
   std::uint32_t i = scene.direct_candidates;
-  for (std::uint32_t m = 0; m < scene.mirror_count; ++m) {
+  const std::uint32_t mirrors = uses(scene, Feature::ImagesInMirrors) ? scene.mirror_count : 0;
+  for (std::uint32_t m = 0; m < mirrors; ++m) {
     const Mirror mirror = mirror_at(Row{scene.mirrors + m * kMirrorStride});
     const Vec place = place_before(mirror, at.p);
     for (; i < scene.mirror_end[m]; ++i) {
@@ -123,6 +127,13 @@ inline Int candidate_of(const SceneView<T>& scene, Int light, Int via, Mask acti
                 select(active, via * Int(scene.light_count) + light, Int(0U)));
 }
 
+/// Each active lane's own row.
+inline auto candidates_of(const SceneView<T>& scene, Int candidate, Mask active) {
+  return merged_rows<kLightCandidateStride>(candidate, active, [&](std::uint32_t i) {
+    return scene.light_candidates + i * kLightCandidateStride;
+  });
+}
+
 /// Probability with which the point chose, or would have chosen, `light` by way of `via` (kStraight
 /// for itself), by the `scale` that its choice gave.
 inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, Int light, Int via,
@@ -132,9 +143,7 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
   if (any(image)) candidate = select(image, candidate_of(scene, light, via, image), candidate);
   const Mask known = active && candidate != Int(kNoLight);
   if (none(known)) return Real(0);
-  const auto row = merged_rows<kLightCandidateStride>(candidate, known, [&](std::uint32_t i) {
-    return scene.light_candidates + i * kLightCandidateStride;
-  });
+  const auto row = candidates_of(scene, candidate, known);
   Real value = contribution(row, at);
   const Mask seen = known && image, through = seen && is_lens(scene, via);
   if (uses(scene, Feature::ImagesInGlass) && any(through)) {
@@ -155,10 +164,7 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
 inline LensView lens_view(const SceneView<T>& scene, const Lens& lens, const Chooser& at, Int light,
                           Int via, Mask active) {
   const Int candidate = candidate_of(scene, light, via, active);
-  const auto row = merged_rows<kLightCandidateStride>(candidate, active, [&](std::uint32_t i) {
-    return scene.light_candidates + i * kLightCandidateStride;
-  });
-  return view_through(lens, row, at.p);
+  return view_through(lens, candidates_of(scene, candidate, active), at.p);
 }
 
 /// Density of direction d for a point that has chosen the light through the lens; 0 where that has

@@ -22,7 +22,7 @@ inline void put_light_points(const Batch& batch, Mask valid, Int light, const Li
   batch.each(selection, [&](std::size_t i) -> double& { return points[i].selection; });
 }
 
-/// Probability with which each point chooses its light; images in mirrors have the rest.
+/// Probability with which each point chooses its light; images in mirrors and glass have the rest.
 inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light, Mask active) {
   Real scale(1);
   if (scene.candidate_count > 0) {
@@ -32,7 +32,7 @@ inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light
   return pmf_of_light(scene, at, select(active, light, Int(0U)), Int(kStraight), scale, active);
 }
 
-/// A light for each point: as the path tracer chooses, but for images in mirrors.
+/// A light for each point: as the path tracer chooses, but for images in mirrors and glass.
 inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random, Mask active) {
   SceneView<T> direct = scene;
   direct.candidate_count = scene.direct_candidates;

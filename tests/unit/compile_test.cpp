@@ -258,6 +258,17 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
       s.materials[0].base_color_texture = 0;
     };
   };
+  const auto lit = [](MaterialKind kind, const Shape& shape) {
+    return [=](S s) {
+      s.materials.resize(2);
+      s.materials[0].emissive = glm::dvec3(1);
+      s.materials[1].kind = kind;
+      Object beside;
+      beside.shape = shape;
+      beside.material = 1;
+      s.objects.push_back(beside);
+    };
+  };
   const std::vector<Case> cases{
       {"bvh", [](S s) { s.objects.resize(100, s.objects[0]); }},
       {"motion",
@@ -288,25 +299,8 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
          s.objects.resize(17, s.objects[0]);
        }},
       {"images in mirrors",
-       [](S s) {
-         s.materials.resize(2);
-         s.materials[0].emissive = glm::dvec3(1);
-         s.materials[1].kind = MaterialKind::Metal;
-         Object mirror;
-         mirror.shape = RectangleShape{{-1, -2, -1}, {2, 0, 0}, {0, 0, 2}};
-         mirror.material = 1;
-         s.objects.push_back(mirror);
-       }},
-      {"images in glass",
-       [](S s) {
-         s.materials.resize(2);
-         s.materials[0].emissive = glm::dvec3(1);
-         s.materials[1].kind = MaterialKind::Dielectric;
-         Object glass;
-         glass.shape = SphereShape{{0, 0, 20}, 1, {0, 0, 0}};
-         glass.material = 1;
-         s.objects.push_back(glass);
-       }},
+       lit(MaterialKind::Metal, RectangleShape{{-1, -2, -1}, {2, 0, 0}, {0, 0, 2}})},
+      {"images in glass", lit(MaterialKind::Dielectric, SphereShape{{0, 0, 20}, 1, {0, 0, 0}})},
       {"environment", [](S s) { s.environment.color = glm::dvec3(1); }},
       {"media",
        [](S s) {
