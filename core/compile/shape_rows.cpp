@@ -41,6 +41,19 @@ struct Map {
   }
 };
 
+/// a b - c d to one and a half units in the last place (Kahan; Jeannerod et al. 2013).
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+/// Perpendicular to both to the last bits even where they are nearly parallel: the rounding of
+/// plain products would tilt the plane of a sliver along its length.
+dvec3 normal_of(const dvec3& a, const dvec3& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
 dvec3 perpendicular(const dvec3& unit) {
   const dvec3 helper = std::abs(unit.x) > 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
   return normalize(cross(helper, unit));
@@ -148,6 +161,10 @@ ShapeRow row_of(const DiscShape& s, const Map& map) {
     b = -std::sin(angle) * a + std::cos(angle) * b;
     a = c;
   }
+  // A circle stays one: as an ellipse its axes would be those of the rounding, and the same scene
+  // in other units would take other samples.
+  const double aa = dot(a, a), bb = dot(b, b);
+  if (std::abs(aa - bb) <= 1e-12 * (aa + bb)) b *= std::sqrt(aa / bb);
   const dvec3 normal = map.normal(n);
   if (dot(cross(a, b), normal) < 0) b = -b;
   append(r.numbers, map.point(s.center));
@@ -166,7 +183,7 @@ ShapeRow row_of(const RectangleShape& s, const Map& map) {
   const dvec3 u = map.vector(s.edge_u), v = map.vector(s.edge_v);
   const dvec3 n = cross(u, v);
   append(r.numbers, map.point(s.corner));
-  append(r.numbers, map.normal(cross(s.edge_u, s.edge_v)));
+  append(r.numbers, map.normal(normal_of(s.edge_u, s.edge_v)));
   append(r.numbers, u);
   append(r.numbers, v);
   append(r.numbers, cross(v, n) / dot(u, cross(v, n)));
@@ -192,7 +209,8 @@ ShapeRow row_of(const PyramidShape& s, const Map& map) {
   for (std::size_t i = 0; i < 4; ++i) v[i] = map.point(s.vertices[i]);
   dvec3 a = v[1] - v[0], b = v[2] - v[0], c = v[3] - v[0];
   if (dot(a, cross(b, c)) < 0) std::swap(b, c);
-  const dvec3 face[4] = {cross(b - a, c - a), cross(c, b), cross(a, c), cross(b, a)};
+  const dvec3 face[4] = {normal_of(b - a, c - a), normal_of(c, b), normal_of(a, c),
+                         normal_of(b, a)};
   append(r.numbers, v[0]);
   append(r.numbers, a);
   append(r.numbers, b);

@@ -56,6 +56,8 @@ inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, cons
   if (uses(scene, Feature::Dielectric) && any(glass)) {
     merge(glass, sample_dielectric(m.base_color, m.ior, entering, frame.z, wo, u_lobe), s);
   }
+  // A direction along the surface can round to below it: no opaque material scatters there.
+  s.valid = s.valid && (s.delta || dot(s.wi, frame.z) > Real(0));
   return s;
 }
 

@@ -244,6 +244,58 @@ TEST(RayQueries, TheRoundedRayIsTheRayTraced) {
   }
 }
 
+TEST(RayQueries, SliversOfPyramidsAreMetWhereTheyAre) {
+  // The face of vertices 1 to 3 is .85 long and .0006 high. Its plane once was tilted along it.
+  Scene scene;
+  scene.materials.emplace_back();
+  Object object;
+  object.name = "pyramid";
+  object.material = 0;
+  object.shape =
+      PyramidShape{{dvec3(1.1469526109960895, 0.66772075586474822, -0.35665148707781363),
+                    dvec3(1.9929752818989264, 0.50680153045563558, -0.68972553476287379),
+                    dvec3(1.3535190712908953, -0.32749948413690855, -0.25625964334926665),
+                    dvec3(1.6736209253759169, 0.090270080001882136, -0.47338623084646458)}};
+  scene.objects.push_back(object);
+  const Ray ray{dvec3(10.45947663174552, 5.9997511436494273, -12.470954075399847),
+                dvec3(-0.5516841359760053, -0.38208284738095327, 0.74138877240599732)};
+  const auto hit = trace(*compile(scene, KernelKind::Reference), ray);
+  ASSERT_TRUE(hit);
+  // From long double; it was 2.4e-13 off.
+  EXPECT_NEAR(hit->t, 16.444522742025949, 3e-14);
+}
+
+TEST(LightQueries, TurnedDiscsAreSampledAlikeInAnyUnits) {
+  Random random;
+  for (int i = 0; i < 300; ++i) {
+    Scene scene;
+    scene.materials.emplace_back().kind = MaterialKind::Emissive;
+    scene.materials[0].emissive = dvec3(1);
+    Object disc;
+    disc.material = 0;
+    disc.shape = DiscShape{dvec3(0), random.direction(), 1};
+    disc.transform.axis = random.direction();
+    disc.transform.degrees = random.between(0, 360);
+    disc.transform.scale = dvec3(random.between(0.6, 0.9));
+    scene.objects.push_back(disc);
+    LightQuery query;
+    query.u = random.unit();
+    query.v = random.unit();
+    query.light = 0;
+    // Near enough to be sampled by solid angle, where the axes of an ellipse count.
+    query.point = random.between(0.1, 0.5) * random.direction();
+    LightPoint sample[2];
+    for (int k = 0; k < 2; ++k) {
+      const auto compiled = compile(scene, KernelKind::Reference);
+      sample_lights(*compiled, {&query, 1}, {&sample[k], 1});
+      scene.objects[0].transform.scale *= 1e-4;
+      query.point *= 1e-4;
+    }
+    ASSERT_EQ(sample[0].valid, sample[1].valid);
+    EXPECT_LT(glm::length(sample[0].direction - sample[1].direction), 1e-9);
+  }
+}
+
 TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
   for (const char* name : {"cornell-three-lights.json", "features/shape-lights.json"}) {
     const Scene scene = stored_scene(name);
@@ -370,6 +422,42 @@ TEST(BsdfQueries, WeightTimesDensityIsTheValue) {
     }
     EXPECT_GT(valid, 800);
   }
+}
+
+TEST(BsdfQueries, TheLastSampleAboveTheSurfaceHasADensity) {
+  Scene scene;
+  for (const double width : {0.7, 1.0}) {
+    scene.materials.emplace_back().kind = MaterialKind::Metal;
+    scene.materials.back().roughness = width;
+    scene.materials.emplace_back().kind = MaterialKind::Metal;
+    scene.materials.back().fuzz = width;
+  }
+  const auto compiled = compile(scene, best_kernel(Precision::Float));
+  Random random;
+  int found = 0;
+  for (int i = 0; i < 40000; ++i) {
+    BsdfQuery query{i % 4, random.direction(), random.direction(), {},
+                    0,     random.unit(),      random.unit()};
+    const auto sample = [&](double u) {
+      query.u = u;
+      BsdfSample s;
+      sample_bsdf(*compiled, {&query, 1}, {&s, 1});
+      return s;
+    };
+    // By halving between a number that gives a sample and one that is absorbed.
+    double valid = 0.5, absorbed = random.unit();
+    if (!sample(valid).valid || sample(absorbed).valid) continue;
+    while (std::abs(valid - absorbed) > 0x1p-24) {
+      const double middle = 0.5 * (valid + absorbed);
+      (sample(middle).valid ? valid : absorbed) = middle;
+    }
+    query.wi = sample(valid).wi;
+    BsdfValue value;
+    eval_bsdf(*compiled, {&query, 1}, {&value, 1});
+    EXPECT_GT(value.pdf, 0);
+    ++found;
+  }
+  EXPECT_GT(found, 800);
 }
 
 }  // namespace
