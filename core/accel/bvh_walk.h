@@ -113,6 +113,10 @@ struct SetBits {
   }
 };
 inline constexpr SetBits kSetBits;
+inline __m256i set_bits_first(std::uint32_t mask) {
+  const auto places = static_cast<long long>(kSetBits.places[mask]);
+  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(places));
+}
 #endif
 
 /// One layer of a bitonic sorting network: `other` is each key's partner, kMax the places that take
@@ -126,24 +130,22 @@ __m256i sort_layer(__m256i key, __m256i other) {
 #endif
 }
 
-/// Pushes the children in `hits` (a bit each), farthest first, `near` being their distances as bits
-/// of floats. No branch depends on the boxes.
+/// Pushes the children in `hits` (a bit each), `near` being their distances as bits of floats: the
+/// first four farthest first, then the others, if any, likewise. Order only saves visits, and to
+/// merge the two groups costs more than that (docs/performance.md). No branch depends on the boxes.
 inline void push_children(BvhStack& stack, const BvhNode& node, __m256i near, std::uint32_t hits) {
   const __m256i slot = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const __m256i none = _mm256_set1_epi32(-1);  // sorted behind the others
   __m256i key = _mm256_or_si256(_mm256_and_si256(near, _mm256_set1_epi32(-8)), slot);
 #ifdef __AVX512VL__
-  key = _mm256_mask_mov_epi32(none, static_cast<__mmask8>(hits), key);
+  key = _mm256_mask_compress_epi32(none, static_cast<__mmask8>(hits), key);
 #else
-  const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-  const __m256i hit = _mm256_cmpeq_epi32(
-      _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(hits)), lane_bit), lane_bit);
-  key = _mm256_or_si256(key, _mm256_xor_si256(hit, none));
+  const __m256i place = set_bits_first(hits);
+  const __m256i count = _mm256_set1_epi32(__builtin_popcount(hits));
+  key = _mm256_blendv_epi8(none, _mm256_permutevar8x32_epi32(key, place),
+                           _mm256_cmpgt_epi32(count, slot));
 #endif
   key = sort_layer<0x99>(key, _mm256_shuffle_epi32(key, 0xb1));
-  key = sort_layer<0xc3>(key, _mm256_shuffle_epi32(key, 0x4e));
-  key = sort_layer<0xa5>(key, _mm256_shuffle_epi32(key, 0xb1));
-  key = sort_layer<0x0f>(key, _mm256_permute2x128_si256(key, key, 1));
   key = sort_layer<0x33>(key, _mm256_shuffle_epi32(key, 0x4e));
   key = sort_layer<0x55>(key, _mm256_shuffle_epi32(key, 0xb1));
   const __m256i child = _mm256_permutevar8x32_epi32(
@@ -160,8 +162,7 @@ inline __m256i children_in(const BvhNode& node, std::uint32_t hits) {
 #ifdef __AVX512VL__
   return _mm256_maskz_compress_epi32(static_cast<__mmask8>(hits), child);
 #else
-  const auto places = static_cast<long long>(kSetBits.places[hits]);
-  return _mm256_permutevar8x32_epi32(child, _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(places)));
+  return _mm256_permutevar8x32_epi32(child, set_bits_first(hits));
 #endif
 }
 

@@ -6,9 +6,10 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// Interval of a solid of the given kind.
+/// Interval of a solid of the given kind. Inlined by force: else trees of spheres are 2 % slower.
 template <PrimitiveKind kKind>
-Interval solid_interval(const SceneView<T>& scene, const auto& shape, const Ray& ray) {
+[[gnu::always_inline]] inline Interval solid_interval(const SceneView<T>& scene, const auto& shape,
+                                                      const Ray& ray) {
   if constexpr (kKind == PrimitiveKind::Sphere)
     return hit_sphere(shape, ray, hit_quality(scene)).span;
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return hit_ellipsoid(shape, ray).span;

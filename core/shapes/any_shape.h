@@ -18,10 +18,11 @@ constexpr bool is_planar(PrimitiveKind kind) {
          kind == PrimitiveKind::Triangle;
 }
 
-/// The shape that a row (Row or LaneRow) describes, at each ray's time.
+/// The shape that a row (Row, LaneRow or GatheredRow) describes, at each ray's time unless nothing
+/// moves.
 template <PrimitiveKind kKind>
-auto shape_at(const auto& row, [[maybe_unused]] Real time) {
-  if constexpr (kKind == PrimitiveKind::Sphere) return sphere_at(row, time);
+auto shape_at(const auto& row, [[maybe_unused]] Real time, [[maybe_unused]] bool moving = true) {
+  if constexpr (kKind == PrimitiveKind::Sphere) return sphere_at(row, time, moving);
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return ellipsoid_at(row, time);
   if constexpr (kKind == PrimitiveKind::Cylinder) return cylinder_at(row);
   if constexpr (kKind == PrimitiveKind::EllipticCylinder) return elliptic_cylinder_at(row);

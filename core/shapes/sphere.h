@@ -14,9 +14,11 @@ struct Sphere {
   Vec pole, meridian;
 };
 
-/// At each ray's time.
-inline Sphere sphere_at(const auto& row, Real time) {
-  return {madd(row.vec(4), time, row.vec(0)), row[3], row.vec(7), row.vec(10)};
+/// At each ray's time; if nothing is `moving` its motion, which is 0, is not read.
+inline Sphere sphere_at(const auto& row, Real time, bool moving = true) {
+  Vec center = row.vec(0);
+  if (moving) center = madd(row.vec(4), time, center);
+  return {center, row[3], row.vec(7), row.vec(10)};
 }
 
 /// The discriminant comes from the closest approach, so that far and small spheres keep their
