@@ -41,7 +41,7 @@ double reflected_share(const RenderScene& scene, double cosine, int count) {
 void add_furnace_tests(std::vector<Test>& tests) {
   tests.push_back(
       {"rough materials in uniform light",
-       "white GGX alpha U(.001,1) and fuzz U(.01,1) in turn, cos U(.05,1); 2^17 samples each",
+       "white GGX alpha U(.001,1) and fuzz U(.01,1) in turn, cos U(.05,1); 2^18 samples each",
        {{"GGX, reflected share", "against quadrature", 1e-3, 1e-3},
         {"fuzz, reflected share", "against the ball less its cap below", 1e-3, 1e-3}},
        16,
@@ -59,7 +59,7 @@ void add_furnace_tests(std::vector<Test>& tests) {
              m.base_color = glm::dvec3(1);
              (ggx ? m.roughness : m.fuzz) = ggx ? std::sqrt(alpha) : fuzz;
              add_object(scene, SphereShape{});
-             const double share = reflected_share(*compile(scene, kernel), cosine, 1 << 17);
+             const double share = reflected_share(*compile(scene, kernel), cosine, 1 << 18);
              const double exact = ggx ? ggx_albedo(cosine, alpha) : fuzz_share_above(cosine, fuzz);
              Tally& tally = tallies[ggx ? 0 : 1];
              tally.trial();

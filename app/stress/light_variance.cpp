@@ -67,7 +67,7 @@ void add(std::vector<Test>& tests, const LightKind& kind, double limit) {
        {{name, "variance / mean^2", limit, limit},
         {name + " from any side", "variance / mean^2", limit, limit}},
        256,
-       100'000,
+       5000,
        32,
        [kind](KernelKind kernel) -> Chunk {
          return [kernel, kind](Random& random, std::uint64_t trials, std::span<Tally> tallies) {

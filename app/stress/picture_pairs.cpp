@@ -164,7 +164,7 @@ void add_picture_pair_tests(std::vector<Test>& tests) {
         {"strategies, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0},
         {"strategies, tiles without noise", kStillMeasure, kStillLimit, kStillLimit, 0}},
        1,
-       1000,
+       150,
        1,
        [](KernelKind kernel) -> Chunk {
          return [kernel](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
@@ -186,7 +186,7 @@ void add_picture_pair_tests(std::vector<Test>& tests) {
         {"other words, tiles", kTileMeasure, kLargestDeviate, kLargestDeviate, 0},
         {"other words, tiles without noise", kStillMeasure, kStillLimit, kStillLimit, 0}},
        2,
-       1000,
+       500,
        1,
        [](KernelKind kernel) -> Chunk {
          return [kernel](Random& random, std::uint64_t trials, std::span<Tally> tallies) {

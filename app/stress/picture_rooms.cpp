@@ -58,7 +58,7 @@ void add_room_tests(std::vector<Test>& tests) {
   add_known_pictures(tests, "emissive rooms",
                      "walls and touching contents of the same glow, nine closed shapes, albedo .2 "
                      ".5 .8 .95, 1 to 11 segments or all, size 10^U(-4,4), up to 1e5 sizes from 0",
-                     6, 4000, draw_room);
+                     6, 800, draw_room);
 }
 
 }  // namespace lightbench::stress

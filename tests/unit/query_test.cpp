@@ -296,6 +296,48 @@ TEST(LightQueries, TurnedDiscsAreSampledAlikeInAnyUnits) {
   }
 }
 
+TEST(LightQueries, DiscsAreSampledEvenlyFromAnywhere) {
+  Scene scene;
+  scene.materials.emplace_back().kind = MaterialKind::Emissive;
+  scene.materials[0].emissive = dvec3(1);
+  scene.objects.emplace_back();
+  scene.objects[0].material = 0;
+  scene.objects[0].shape = DiscShape{dvec3(0), dvec3(0, 0, 1), 1};
+  const auto compiled = compile(scene, KernelKind::Reference);
+  constexpr int kSide = 32;
+  const auto variance = [&](const dvec3& point, const dvec3& normal) {
+    std::vector<LightQuery> queries(kSide * kSide);
+    for (int i = 0; i < kSide * kSide; ++i) {
+      LightQuery& q = queries[static_cast<std::size_t>(i)];
+      q.point = point;
+      q.u = (i / kSide + 0.5) / kSide;
+      q.v = (i % kSide + 0.5) / kSide;
+      q.light = 0;
+    }
+    std::vector<LightPoint> samples(queries.size());
+    sample_lights(*compiled, queries, samples);
+    double sum = 0, squares = 0;
+    for (const LightPoint& s : samples) {
+      const double value = s.valid ? std::max(glm::dot(s.direction, normal), 0.0) / s.pdf : 0;
+      sum += value;
+      squares += value * value;
+    }
+    return squares * kSide * kSide / (sum * sum) - 1;
+  };
+  for (double angle = 0; angle < 1.56; angle += 0.05) {
+    for (double away = 0.3; away < 4; away *= 1.1) {
+      const dvec3 point = away * dvec3(std::sin(angle), 0, std::cos(angle));
+      // Nearer by, much of the disc is below the horizon of one that faces its middle.
+      if (away > 1.7) {
+        EXPECT_LT(variance(point, -glm::normalize(point)), 0.5) << angle << " " << away;
+      }
+      if (point.x < 1) {
+        EXPECT_LT(variance(point, dvec3(0, 0, -1)), 0.5) << angle << " " << away;
+      }
+    }
+  }
+}
+
 TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
   for (const char* name : {"cornell-three-lights.json", "features/shape-lights.json"}) {
     const Scene scene = stored_scene(name);
