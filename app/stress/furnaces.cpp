@@ -45,7 +45,7 @@ void add_furnace_tests(std::vector<Test>& tests) {
        {{"GGX, reflected share", "against quadrature", 1e-3, 1e-3},
         {"fuzz, reflected share", "against the ball less its cap below", 1e-3, 1e-3}},
        16,
-       2'000,
+       600,
        4,
        [](KernelKind kernel) -> Chunk {
          return [kernel](Random& random, std::uint64_t trials, std::span<Tally> tallies) {

@@ -192,7 +192,7 @@ void add_angle(std::vector<Test>& tests, const LightKind& kind) {
                                          : "seen at cos .05 and up"),
                    {{name, "relative error", kLimit, kLimit}},
                    kind.kind == Kind::Cylinder ? 256U : 2048U,
-                   costly ? 50'000U : 250'000U,
+                   costly ? 20'000U : 100'000U,
                    128,
                    [kind, nearest](KernelKind kernel) -> Chunk {
                      return [=](Random& random, std::uint64_t trials, std::span<Tally> tallies) {

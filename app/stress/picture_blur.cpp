@@ -94,10 +94,10 @@ void add_blur_tests(std::vector<Test>& tests) {
   add_known_pictures(tests, "motion blur",
                      "a ball at 3 to 1000 radii per shutter, alone or among 100 moving ones; the "
                      "whole shutter, a part of it, time exactly 0 or 1",
-                     10, 8000, draw_motion);
+                     10, 4000, draw_motion);
   add_known_pictures(tests, "thin lens",
                      "an edge out of focus before and behind, lens of radius 10^U(-2,.3)", 8,
-                     8000, draw_lens);
+                     4000, draw_lens);
 }
 
 }  // namespace lightbench::stress

@@ -114,7 +114,7 @@ void add_glass_picture_tests(std::vector<Test>& tests) {
                      "plates of index 1.0001 to 2.5 at 0 to 85 degrees, hollow balls, glass that "
                      "matches what is around it, and 10^U(-12,-1) on either side of the critical "
                      "angle",
-                     10, 1500, draw_glass);
+                     10, 800, draw_glass);
 }
 
 }  // namespace lightbench::stress

@@ -147,7 +147,7 @@ void add_media_tests(std::vector<Test>& tests) {
                      "chords of optical depth 10^U(-6,2) by free flights and by light sampling, "
                      "white fog in nine shapes, half spaces of albedo .1 to .95 against "
                      "Chandrasekhar's H function, three overlapping media around the camera",
-                     10, 4000, draw_medium);
+                     10, 2000, draw_medium);
 }
 
 }  // namespace lightbench::stress
