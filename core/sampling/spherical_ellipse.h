@@ -149,11 +149,16 @@ inline SphericalEllipse spherical_ellipse_of_ellipsoid(const PrincipalAxes& axes
   Real k1 =
       max(select(linear > Real(0), T(-2) * constant / (linear + root), T(0.5) * (root - linear)),
           Real(0));
-  for (int i = 0; i < 8; ++i) {
+  // Near the rim of a long ellipse that takes up to sixteen steps. Each lane stops by itself, so
+  // that its result does not depend on the others.
+  Mask moving = true;
+  for (int i = 0; i < 32 && any(moving); ++i) {
     const Vec w{Real(1) / (s.x + k1), Real(1) / (s.y + k1), Real(1) / (s.z + k1)};
     const Vec v = qq * w;
     const Real sum = v.x + v.y + v.z;
-    k1 = max(fma(sum, (sum - Real(1)) / dot(v, w), k1), Real(0));
+    const Real step = sum * (sum - Real(1)) / dot(v, w);
+    k1 = select(moving, max(k1 + step, Real(0)), k1);
+    moving = moving && abs(step) > T(4) * kEpsilon * k1;
   }
   const Vec toward = -normalize(Vec{q.x / (s.x + k1), q.y / (s.y + k1), q.z / (s.z + k1)});
   // The others from their product and their sum, the form of which depends on the distance.

@@ -338,6 +338,38 @@ TEST(LightQueries, DiscsAreSampledEvenlyFromAnywhere) {
   }
 }
 
+TEST(LightQueries, EllipsesAreHitFromNearTheirRim) {
+  Random random;
+  for (int i = 0; i < 4000; ++i) {
+    Scene scene;
+    scene.materials.emplace_back().kind = MaterialKind::Emissive;
+    scene.materials[0].emissive = dvec3(1);
+    scene.materials[0].two_sided = true;
+    scene.objects.emplace_back();
+    scene.objects[0].material = 0;
+    scene.objects[0].shape = DiscShape{dvec3(0), dvec3(0, 0, 1), 1};
+    const double narrow = random.between(0.25, 1);
+    scene.objects[0].transform.scale = dvec3(1, narrow, 1);
+    const auto compiled = compile(scene, KernelKind::Reference);
+    const double a = random.between(0, 6.283185307179586),
+                 away = std::pow(10, random.between(-3, -1));
+    const dvec3 out = glm::normalize(dvec3(std::cos(a) * narrow, std::sin(a), 0));
+    const double tilt = std::pow(10, random.between(-4, 0.4));
+    LightQuery query;
+    query.point = dvec3(std::cos(a), std::sin(a) * narrow, 0) +
+                  away * (std::cos(tilt) * out + dvec3(0, 0, std::sin(tilt)));
+    query.light = 0;
+    query.u = random.between(0.05, 0.95);
+    query.v = random.between(0.05, 0.95);
+    LightPoint sample, seen;
+    sample_lights(*compiled, {&query, 1}, {&sample, 1});
+    ASSERT_TRUE(sample.valid);
+    const LightDirection direction{query.point, sample.direction, 0};
+    pdf_lights(*compiled, {&direction, 1}, {&seen, 1});
+    EXPECT_TRUE(seen.valid) << "away " << away << " tilt " << tilt << " narrow " << narrow;
+  }
+}
+
 TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
   for (const char* name : {"cornell-three-lights.json", "features/shape-lights.json"}) {
     const Scene scene = stored_scene(name);
