@@ -110,7 +110,8 @@ template <class Watch>
   Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
   shadow.from = select(v.in_medium, Int(kNoHit), shadow.from);
-  shadow.inside = false;
+  // Within a room its own walls are in the way of what is outside.
+  shadow.inside = v.on_surface && !v.front;
   shadow.o = v.reflect_from;
   Real length = s.distance;
   Int blocker(kNoHit);
@@ -120,8 +121,10 @@ template <class Watch>
     shadow.skip_slot = Int(kNoHit);
     shadow.skip_back = false;
     blocker = trace_leg(scene, shadow, way.t, wanted && way.taken, light, wanted, counters);
-    // What follows leaves the mirror or the lens.
+    // What follows leaves the mirror or the lens, to the outside: only outer faces of solids
+    // mirror.
     shadow.from = select(way.taken, way.by, shadow.from);
+    shadow.inside = shadow.inside && !way.taken;
     shadow.from_slot = select(way.taken, Int(kNoHit), shadow.from_slot);
     if (any(wanted && way.crowded)) {
       shadow.o = way.inner;

@@ -116,6 +116,33 @@ TEST_P(EmissiveRoom, IsSeenFromOutsideAsItGlows) {
   }
 }
 
+// Walls are in the way of light from outside, be it sampled from the wall itself. What float lets
+// in comes along a curved wall, where rounding leaves no chord.
+TEST_P(EmissiveRoom, LetsNothingInFromOutside) {
+  Scene shapes;
+  for (const PlacedShape& placed : closed_shapes(shapes)) {
+    for (const auto& [name, strategy] : kStrategies) {
+      Scene s = dark_scene();
+      s.meshes = shapes.meshes;
+      add(s, placed.shape, lambertian(glm::dvec3(0.8)), placed.transform);
+      for (const glm::dvec3& place : {glm::dvec3(5, 4, -3), glm::dvec3(-4, -5, 2)}) {
+        add(s, SphereShape{place, 1, {0, 0, 0}}, light(glm::dvec3(50), true));
+      }
+      look(s, {0.05, 0.1, -0.08}, {1, -0.3, 0.5}, 100);
+      s.render.strategy = strategy;
+      const int spp = GetParam().spp(64);
+      const Film film = render_film(s, GetParam().kind, spp);
+      const auto pixels = static_cast<std::size_t>(film.width() * film.height());
+      double brightest = 0;
+      for (std::size_t i = 0; i < pixels; ++i) {
+        brightest = std::max(brightest, pixel_mean(film, i, spp).y);
+      }
+      EXPECT_LE(brightest, GetParam().kind == KernelKind::Reference ? 0 : 1e-6 * 50)
+          << placed.name << " by " << name;
+    }
+  }
+}
+
 // Light sampling from its own inner side has to find all that the paths' own rays would.
 TEST_P(EmissiveRoom, ShowsTheSeriesByAnyStrategy) {
   Family family = GetParam().family();
