@@ -96,8 +96,8 @@ void add_blur_tests(std::vector<Test>& tests) {
                      "whole shutter, a part of it, time exactly 0 or 1",
                      10, 4000, draw_motion);
   add_known_pictures(tests, "thin lens",
-                     "an edge out of focus before and behind, lens of radius 10^U(-2,.3)", 8,
-                     4000, draw_lens);
+                     "an edge out of focus before and behind, lens of radius 10^U(-2,.3)", 8, 4000,
+                     draw_lens);
 }
 
 }  // namespace lightbench::stress
