@@ -158,8 +158,9 @@ struct Quadrature {
 
   void add_cell(const Case& c, const Chart& chart, std::size_t cell, int fine) {
     const double step = 1.0 / (kCells * fine);
+    const std::size_t row = cell / kCells;
     for (int i = 0; i < fine; ++i) {
-      const double a = static_cast<double>(cell / kCells) / kCells + (i + 0.5) * step;
+      const double a = static_cast<double>(row) / kCells + (i + 0.5) * step;
       const auto height = [&](double b) {
         double stretch = 0;
         return glm::dot(chart.direction(a, b, stretch), c.n);
