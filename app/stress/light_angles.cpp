@@ -182,8 +182,9 @@ double sampled_angle_of(const LightStage& stage, const LightKind& kind, const gl
 void add_angle(std::vector<Test>& tests, const LightKind& kind) {
   constexpr double kLimit = 1e-6;
   const std::string name = name_of(kind) + " light, 1/pdf against its solid angle";
+  const bool cylinder = kind.kind == Kind::Cylinder;
   // Cylinders' rules have many points, ellipsoids' integrals many steps.
-  const bool costly = kind.kind == Kind::Cylinder || (kind.kind == Kind::Sphere && kind.stretched);
+  const bool costly = cylinder || (kind.kind == Kind::Sphere && kind.stretched);
   // Scaled by 1.2 at the most.
   const double nearest = kind.stretched ? 0.3 : 0.2;
   tests.push_back({name,
@@ -191,7 +192,7 @@ void add_angle(std::vector<Test>& tests, const LightKind& kind) {
                                kind.flat ? "10^U(-5,1) out of the large faces' plane"
                                          : "seen at cos .05 and up"),
                    {{name, "relative error", kLimit, kLimit}},
-                   kind.kind == Kind::Cylinder ? 256U : 2048U,
+                   cylinder ? 256U : 2048U,
                    costly ? 20'000U : 100'000U,
                    128,
                    [kind, nearest](KernelKind kernel) -> Chunk {

@@ -131,14 +131,6 @@ struct GatheredRow {
   [[nodiscard]] Vec vec(unsigned i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
 };
 
-/// Where the rows of surfaces of one kind begin: they follow each other.
-template <PrimitiveKind kKind>
-Int row_offset(const SceneView<T>& scene, Int id) {
-  constexpr unsigned kSize = decltype(shape_at<kKind>(Row{}, Real(0)))::kRow;
-  const std::uint32_t first = scene.kind_begin[static_cast<unsigned>(kKind)];
-  return (id - Int(first)) * Int(kSize) + Int(scene.row[first]);
-}
-
 /// Only hits before hit.t count from now on.
 inline void set_limits(Walks& w, Real t) {
   store(w.boxes.reach, min(t, Real(kFarthest)));
@@ -158,7 +150,7 @@ void visit_items(const SceneView<T>& scene, const RayTable& rays, const Ray& ray
       meshes = bits(m);
     } else {
       // The other lanes read from the first row on: there are as many numbers as one row has.
-      const GatheredRow row{scene.rows, select(m, row_offset<kKind>(scene, id), Int(0U))};
+      const GatheredRow row{scene.rows, select(m, row_offsets<kKind>(scene, id), Int(0U))};
       const auto shape = shape_at<kKind>(row, ray.time, scene.camera.moving);
       test_shape<kShadow, kKind, TestOrder::Any>(scene, id, shape, ray, m, hit);
     }

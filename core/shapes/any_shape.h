@@ -34,10 +34,22 @@ auto shape_at(const auto& row, [[maybe_unused]] Real time, [[maybe_unused]] bool
   if constexpr (kKind == PrimitiveKind::Mesh) return mesh_at(row);
 }
 
+/// Numbers that describe a shape of the kind.
+template <PrimitiveKind kKind>
+inline constexpr unsigned kRowOf = decltype(shape_at<kKind>(Row{}, Real(0)))::kRow;
+
+/// Where the rows of the lanes' surfaces, all of one kind (not meshes), begin in scene.rows: those
+/// of a kind follow each other.
+template <PrimitiveKind kKind>
+Int row_offsets(const SceneView<T>& scene, Int surface) {
+  const std::uint32_t first = scene.kind_begin[static_cast<unsigned>(kKind)];
+  return (surface - Int(first)) * Int(kRowOf<kKind>) + Int(scene.row[first]);
+}
+
 /// Rows of the lanes' primitives, all of one kind.
 template <PrimitiveKind kKind>
 auto rows_of(const SceneView<T>& scene, Int primitive, Mask active) {
-  constexpr unsigned kSize = decltype(shape_at<kKind>(Row{}, Real(0)))::kRow;
+  constexpr unsigned kSize = kRowOf<kKind>;
   constexpr auto k = static_cast<unsigned>(kKind);
   if (scene.columns[k] != nullptr)
     return row_of_columns<kSize>(scene.columns[k], primitive - Int(scene.kind_begin[k]));

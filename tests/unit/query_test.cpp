@@ -63,6 +63,19 @@ std::vector<Ray> picture_rays(const Scene& scene, int count) {
   return rays;
 }
 
+/// Alone: of radius 1 around 0, before it is transformed.
+Scene disc_lamp(const dvec3& normal, const Transform& transform = {}) {
+  Scene scene;
+  scene.materials.emplace_back().kind = MaterialKind::Emissive;
+  scene.materials[0].emissive = dvec3(1);
+  scene.materials[0].two_sided = true;
+  scene.objects.emplace_back();
+  scene.objects[0].material = 0;
+  scene.objects[0].shape = DiscShape{dvec3(0), normal, 1};
+  scene.objects[0].transform = transform;
+  return scene;
+}
+
 bool same(const Hit& a, const Hit& b) {
   return a.object == b.object && a.t == b.t && a.position == b.position &&
          a.geometric_normal == b.geometric_normal && a.shading_normal == b.shading_normal &&
@@ -268,16 +281,11 @@ TEST(RayQueries, SliversOfPyramidsAreMetWhereTheyAre) {
 TEST(LightQueries, TurnedDiscsAreSampledAlikeInAnyUnits) {
   Random random;
   for (int i = 0; i < 300; ++i) {
-    Scene scene;
-    scene.materials.emplace_back().kind = MaterialKind::Emissive;
-    scene.materials[0].emissive = dvec3(1);
-    Object disc;
-    disc.material = 0;
-    disc.shape = DiscShape{dvec3(0), random.direction(), 1};
-    disc.transform.axis = random.direction();
-    disc.transform.degrees = random.between(0, 360);
-    disc.transform.scale = dvec3(random.between(0.6, 0.9));
-    scene.objects.push_back(disc);
+    Transform turned;
+    turned.axis = random.direction();
+    turned.degrees = random.between(0, 360);
+    turned.scale = dvec3(random.between(0.6, 0.9));
+    Scene scene = disc_lamp(random.direction(), turned);
     LightQuery query;
     query.u = random.unit();
     query.v = random.unit();
@@ -297,13 +305,7 @@ TEST(LightQueries, TurnedDiscsAreSampledAlikeInAnyUnits) {
 }
 
 TEST(LightQueries, DiscsAreSampledEvenlyFromAnywhere) {
-  Scene scene;
-  scene.materials.emplace_back().kind = MaterialKind::Emissive;
-  scene.materials[0].emissive = dvec3(1);
-  scene.objects.emplace_back();
-  scene.objects[0].material = 0;
-  scene.objects[0].shape = DiscShape{dvec3(0), dvec3(0, 0, 1), 1};
-  const auto compiled = compile(scene, KernelKind::Reference);
+  const auto compiled = compile(disc_lamp({0, 0, 1}), KernelKind::Reference);
   constexpr int kSide = 32;
   const auto variance = [&](const dvec3& point, const dvec3& normal) {
     std::vector<LightQuery> queries(kSide * kSide);
@@ -341,16 +343,10 @@ TEST(LightQueries, DiscsAreSampledEvenlyFromAnywhere) {
 TEST(LightQueries, EllipsesAreHitFromNearTheirRim) {
   Random random;
   for (int i = 0; i < 4000; ++i) {
-    Scene scene;
-    scene.materials.emplace_back().kind = MaterialKind::Emissive;
-    scene.materials[0].emissive = dvec3(1);
-    scene.materials[0].two_sided = true;
-    scene.objects.emplace_back();
-    scene.objects[0].material = 0;
-    scene.objects[0].shape = DiscShape{dvec3(0), dvec3(0, 0, 1), 1};
     const double narrow = random.between(0.25, 1);
-    scene.objects[0].transform.scale = dvec3(1, narrow, 1);
-    const auto compiled = compile(scene, KernelKind::Reference);
+    Transform squeezed;
+    squeezed.scale = dvec3(1, narrow, 1);
+    const auto compiled = compile(disc_lamp({0, 0, 1}, squeezed), KernelKind::Reference);
     const double a = random.between(0, 6.283185307179586),
                  away = std::pow(10, random.between(-3, -1));
     const dvec3 out = glm::normalize(dvec3(std::cos(a) * narrow, std::sin(a), 0));
