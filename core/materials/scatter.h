@@ -48,9 +48,7 @@ inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, cons
   }
   const Mask ggx = is_kind(m, BsdfKind::Ggx);
   if (uses(scene, Feature::Ggx) && any(ggx)) {
-    BsdfSample r = sample_ggx(m.base_color, m.alpha, frame.to_local(wo), u);
-    r.wi = frame.to_world(r.wi);
-    merge(ggx, r, s);
+    merge(ggx, sample_ggx(m.base_color, m.alpha, frame, wo, u), s);
   }
   const Mask glass = is_kind(m, BsdfKind::Dielectric);
   if (uses(scene, Feature::Dielectric) && any(glass)) {
@@ -79,7 +77,7 @@ inline BsdfValue eval_bsdf(const SceneView<T>& scene, const Material& m, const F
   }
   const Mask ggx = is_kind(m, BsdfKind::Ggx);
   if (uses(scene, Feature::Ggx) && any(ggx)) {
-    merge_value(ggx, eval_ggx(m.base_color, m.alpha, frame.to_local(wo), frame.to_local(wi)));
+    merge_value(ggx, eval_ggx(m.base_color, m.alpha, frame, wo, wi));
   }
   return v;
 }

@@ -494,6 +494,38 @@ TEST(BsdfQueries, WeightTimesDensityIsTheValue) {
   }
 }
 
+// Half vectors of grazing directions are short: of float directions turned into the frame before
+// they are summed, densities were off by up to 16 %.
+TEST(BsdfQueries, NarrowLobesAtGrazingAnglesAreWhereDoubleHasThem) {
+  constexpr double kAlpha = 1e-3, kCosine = 1e-3;
+  Scene scene;
+  scene.materials.emplace_back().kind = MaterialKind::Metal;
+  scene.materials.back().roughness = std::sqrt(kAlpha);
+  const auto narrow = compile(scene, best_kernel(Precision::Float));
+  const auto wide = compile(scene, best_kernel(Precision::Double));
+  const auto rounded = [](const dvec3& v) { return dvec3(glm::vec3(v)); };
+  Random random;
+  std::vector<BsdfQuery> queries(4000);
+  for (BsdfQuery& q : queries) {
+    const dvec3 n = random.direction(), x = glm::normalize(glm::cross(n, random.direction()));
+    const dvec3 y = glm::cross(n, x);
+    const double tilt = kAlpha * random.unit(), phi = random.between(0, 6.283185307179586);
+    const dvec3 h = glm::normalize(n + tilt * (std::cos(phi) * x + std::sin(phi) * y));
+    const dvec3 wo = glm::normalize(kCosine * n + x);
+    q = {0, rounded(n), rounded(wo), rounded(2 * glm::dot(wo, h) * h - wo), 0, 0, 0};
+  }
+  std::vector<BsdfValue> values(queries.size()), exact(queries.size());
+  eval_bsdf(*narrow, queries, values);
+  eval_bsdf(*wide, queries, exact);
+  int compared = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (glm::dot(queries[i].wi, queries[i].normal) < 0.1 * kCosine) continue;
+    EXPECT_NEAR(values[i].pdf / exact[i].pdf, 1, 0.01);
+    ++compared;
+  }
+  EXPECT_GT(compared, 3000);
+}
+
 TEST(BsdfQueries, TheLastSampleAboveTheSurfaceHasADensity) {
   Scene scene;
   for (const double width : {0.7, 1.0}) {
