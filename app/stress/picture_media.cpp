@@ -33,6 +33,7 @@ KnownPicture chord(Random& random, Precision) {
   }
   aim(s, {off, 0, inside ? 0.0 : 5.0}, {off, 0, -1});
   known.low = known.high = std::exp(-depth);
+  known.event = 1;
   known.what = fmt::format("{} of optical depth {:.4g}{}", ball ? "ball" : "slab", depth,
                            inside ? ", from within" : "");
   return known;
@@ -121,6 +122,7 @@ KnownPicture overlap(Random& random, Precision) {
   const double z = random.between(-0.4, 0.9);
   aim(s, {0, 0, z}, {0, 0, -2});
   known.low = known.high = std::exp(-a * (z + 1) - b * (z + 0.5) - c * (z + 2));
+  known.event = 1;
   known.what = fmt::format("densities {:.4g} {:.4g} {:.4g} from z = {:.4g}", a, b, c, z);
   return known;
 }

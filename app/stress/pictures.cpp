@@ -23,13 +23,20 @@ void judge(Random& random, const DrawPicture& draw, KernelKind kernel, std::span
   const Precision asked = kernel == KernelKind::Auto ? Precision::Float : precision_of(kernel);
   const KnownPicture known = draw(random, asked);
   const double unit = std::max({known.low, known.high, known.unit, kDark});
-  const SizedEstimate e =
-      measure_uniform_to(known.scene, kernel, kPrecision * unit,
-                         known.certain ? kCertainSamples : kLeastSamples, kMostSamples);
-  // Rare events that none of N samples met leave no trace in the spread: a share q of them goes
-  // unmet with probability exp(-N q), which is that of 5 standard errors at q = 15 / N.
   const double pixels = known.scene.render.width * known.scene.render.height;
-  const double unseen = known.certain ? 0 : 3 * unit / (pixels * e.spp);
+  // Rare events that none of N samples met leave no trace in the spread. Where their share is known
+  // so is the N that it takes.
+  const double least = known.high * (known.event - known.high) / std::pow(kPrecision * unit, 2);
+  const int least_spp =
+      known.certain
+          ? kCertainSamples
+          : static_cast<int>(std::clamp<double>(least / pixels, kLeastSamples, kMostSamples));
+  const SizedEstimate e =
+      measure_uniform_to(known.scene, kernel, kPrecision * unit, least_spp, kMostSamples);
+  // A share q of them goes unmet with probability exp(-N q), which is that of 5 standard errors at
+  // q = 15 / N.
+  const double event = known.event > 0 ? known.event : unit;
+  const double unseen = known.certain ? 0 : 3 * event / (pixels * e.spp);
   const double outside =
       std::max({0.0, known.low - e.mean.y, e.mean.y - known.high,
                 std::isfinite(e.mean.y) ? 0.0 : std::numeric_limits<double>::infinity()});

@@ -20,6 +20,8 @@ struct KnownPicture {
   /// What precision is relative to; 0: the radiance.
   double unit = 0;
   bool certain = false;  ///< every sample shows it
+  /// Of samples that show either this radiance or none; 0: samples of any radiance.
+  double event = 0;
 };
 
 /// A case at random; `precision` is that of the kernel it is for.
