@@ -68,6 +68,10 @@ inline void store(std::uint32_t* p, Int a) { *p = a; }
 /// The set lanes take consecutive numbers from p on; the others keep `old`.
 inline Real expand(Mask m, const T* p, Real old) { return m ? *p : old; }
 inline Int expand(Mask m, const std::uint32_t* p, Int old) { return m ? *p : old; }
+/// The numbers of the set lanes go to p one after the other. Writes kLanes numbers whatever the
+/// mask.
+inline void compress(T* p, Mask, Real a) { *p = a; }
+inline void compress(std::uint32_t* p, Mask, Int a) { *p = a; }
 
 inline Int reverse_bits(Int x) {
   x = ((x >> 1) & 0x55555555U) | ((x & 0x55555555U) << 1);

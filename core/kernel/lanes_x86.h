@@ -192,6 +192,11 @@ inline std::uint32_t first(Int a) { return a.v[0]; }
 inline Int expand(Mask m, const std::uint32_t* p, Int old) {
   return Int(IntLanes(_mm512_mask_expand_epi32(IntRegister(old.v), m.m, _mm512_loadu_si512(p))));
 }
+/// The numbers of the set lanes go to p one after the other. Writes kLanes numbers whatever the
+/// mask.
+inline void compress(std::uint32_t* p, Mask m, Int a) {
+  _mm512_storeu_si512(p, _mm512_maskz_compress_epi32(m.m, IntRegister(a.v)));
+}
 #else
 /// For each mask of eight lanes, the position of each set lane among the set ones, a byte each.
 struct ExpandTable {
@@ -212,9 +217,30 @@ inline Int expand(Mask m, const std::uint32_t* p, Int old) {
   return select(m, Int(IntLanes(_mm256_permutevar8x32_epi32(IntRegister(load(p).v), positions))),
                 old);
 }
+/// For each mask of eight lanes, the set ones, a byte each.
+struct CompressTable {
+  std::uint64_t lanes[256];
+  constexpr CompressTable() : lanes() {
+    for (unsigned m = 0; m < 256; ++m) {
+      unsigned next = 0;
+      for (std::uint64_t i = 0; i < 8; ++i) {
+        if ((m >> i & 1U) != 0) lanes[m] |= i << (8 * next++);
+      }
+    }
+  }
+};
+inline constexpr CompressTable kCompressTable;
+inline void compress(std::uint32_t* p, Mask m, Int a) {
+  const __m256i lanes = _mm256_cvtepu8_epi32(
+      _mm_cvtsi64_si128(static_cast<long long>(kCompressTable.lanes[bits(m)])));
+  store(p, Int(IntLanes(_mm256_permutevar8x32_epi32(IntRegister(a.v), lanes))));
+}
 #endif
 inline Real expand(Mask m, const float* p, Real old) {
   return as_real(expand(m, reinterpret_cast<const std::uint32_t*>(p), as_int(old)));
+}
+inline void compress(float* p, Mask m, Real a) {
+  compress(reinterpret_cast<std::uint32_t*>(p), m, as_int(a));
 }
 
 /// Half bytes by table, then bytes in reverse order.

@@ -203,6 +203,14 @@ inline Int expand(Mask m, const std::uint32_t* p, Int old) {
 inline Real expand(Mask m, const double* p, Real old) {
   return Real(RealLanes(_mm512_mask_expand_pd(old.v, m.m, _mm512_loadu_pd(p))));
 }
+/// The numbers of the set lanes go to p one after the other. Writes kLanes numbers whatever the
+/// mask.
+inline void compress(std::uint32_t* p, Mask m, Int a) {
+  store(p, Int(IntLanes(_mm256_maskz_compress_epi32(m.m, IntRegister(a.v)))));
+}
+inline void compress(double* p, Mask m, Real a) {
+  _mm512_storeu_pd(p, _mm512_maskz_compress_pd(m.m, a.v));
+}
 #else
 /// For each mask of four lanes: the position of each set lane among the set ones, and the two
 /// 32-bit halves of the double there, a byte each.
@@ -234,6 +242,35 @@ inline Real expand(Mask m, const double* p, Real old) {
   const __m256i moved =
       _mm256_permutevar8x32_epi32(_mm256_castpd_si256(_mm256_loadu_pd(p)), halves);
   return select(m, Real(RealLanes(_mm256_castsi256_pd(moved))), old);
+}
+/// For each mask of four lanes: the set ones, and the 32-bit halves of their doubles, a byte each.
+struct CompressTable {
+  std::uint32_t lanes[16];
+  std::uint64_t halves[16];
+  constexpr CompressTable() : lanes(), halves() {
+    for (unsigned m = 0; m < 16; ++m) {
+      unsigned next = 0;
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        if ((m >> i & 1U) == 0) continue;
+        lanes[m] |= i << (8 * next);
+        halves[m] |= std::uint64_t{2 * i + ((2 * i + 1) << 8)} << (16 * next);
+        ++next;
+      }
+    }
+  }
+};
+inline constexpr CompressTable kCompressTable;
+inline void compress(std::uint32_t* p, Mask m, Int a) {
+  const __m128i lanes =
+      _mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(kCompressTable.lanes[bits(m)])));
+  const __m128 moved = _mm_permutevar_ps(_mm_castsi128_ps(IntRegister(a.v)), lanes);
+  store(p, Int(IntLanes(_mm_castps_si128(moved))));
+}
+inline void compress(double* p, Mask m, Real a) {
+  const __m256i halves = _mm256_cvtepu8_epi32(
+      _mm_cvtsi64_si128(static_cast<long long>(kCompressTable.halves[bits(m)])));
+  const __m256i moved = _mm256_permutevar8x32_epi32(_mm256_castpd_si256(a.v), halves);
+  _mm256_storeu_pd(p, _mm256_castsi256_pd(moved));
 }
 #endif
 

@@ -1,9 +1,8 @@
 #pragma once
-// Where paths begin: the samples of a Work, numbered, and their camera rays.
+// Where paths begin: the samples of a Work one by one, and their camera rays.
 
 #include "core/camera/camera.h"
 #include "core/compile/render_scene.h"
-#include "core/film/film.h"
 #include "core/kernel/paths.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -67,102 +66,30 @@ class Jobs {
   std::uint64_t left_ = 0;
 };
 
-/// Camera rays made a full set of lanes at a time and handed out to the lanes that fall free, which
-/// are a third of them at each step or fewer.
-class PathStarts {
- public:
-  PathStarts(const SceneView<T>& scene, const Work& work, const FilmView& film)
-      : scene_(scene), work_(work), jobs_(work, film.width) {}
-
-  /// Fresh paths in the lanes of `dead`, as far as samples are left; returns which lanes got one.
-  Mask fill(Mask dead, Paths& paths) {
-    const auto wanted = static_cast<unsigned>(__builtin_popcount(bits(dead)));
-    if (end_ - begin_ < wanted && jobs_.left() > 0) generate();
-    Mask m = dead;
-    if (end_ - begin_ < wanted) {
-      std::uint32_t some = bits(dead);
-      for (unsigned i = wanted; i > end_ - begin_; --i) some &= some - 1;
-      m = mask_from_bits(some);
-    }
-    const auto expand_vec = [&](const T(&from)[3][3 * kLanes], Vec old) {
-      return Vec{expand(m, from[0] + begin_, old.x), expand(m, from[1] + begin_, old.y),
-                 expand(m, from[2] + begin_, old.z)};
-    };
-    paths.ray.o = expand_vec(o_, paths.ray.o);
-    paths.ray.d = expand_vec(d_, paths.ray.d);
-    paths.ray.time = expand(m, time_ + begin_, paths.ray.time);
-    paths.ray.from = select(m, Int(kNoHit), paths.ray.from);
-    paths.ray.from_slot = select(m, Int(kNoHit), paths.ray.from_slot);
-    paths.ray.inside = !m && paths.ray.inside;
-    paths.pixel = expand(m, pixel_ + begin_, paths.pixel);
-    paths.sample = expand(m, sample_ + begin_, paths.sample);
-    paths.sampler.pixel_key = expand(m, pixel_key_ + begin_, paths.sampler.pixel_key);
-    paths.sampler.reversed_index = reverse_bits(paths.sample);
-    paths.sampler.independent = scene_.independent_samples;
-    paths.throughput = select(m, Vec(Real(1)), paths.throughput);
-    paths.radiance = select(m, Vec(Real(0)), paths.radiance);
-    paths.pdf = select(m, Real(0), paths.pdf);
-    paths.via = select(m, Int(kStraight), paths.via);
-    paths.roulette_scale = select(m, Real(1), paths.roulette_scale);
-    paths.segments = select(m, Int(0U), paths.segments);
-    paths.alive = paths.alive || m;
-    begin_ += static_cast<unsigned>(__builtin_popcount(bits(m)));
-    return m;
-  }
-
- private:
-  /// Appends up to kLanes starts; fewer than that are left when it is called.
-  void generate() {
-    const auto to_front = [&](auto* p) { store(p, load(p + begin_)); };
-    for (T(&a)[3 * kLanes] : o_) to_front(a);
-    for (T(&a)[3 * kLanes] : d_) to_front(a);
-    to_front(time_);
-    to_front(pixel_);
-    to_front(sample_);
-    to_front(pixel_key_);
-    end_ -= begin_;
-    begin_ = 0;
-
-    alignas(64) std::uint32_t xs[kLanes] = {}, ys[kLanes] = {};
-    unsigned count = 0;
-    for (; count < kLanes && jobs_.left() > 0; ++count) {
-      const Jobs::Job job = jobs_.take();
-      pixel_[end_ + count] = job.pixel;
-      sample_[end_ + count] = job.sample;
-      // Of the picture: a window of it holds the very samples of the whole.
-      xs[count] = static_cast<std::uint32_t>(job.x * work_.stride + scene_.camera.crop_x);
-      ys[count] = static_cast<std::uint32_t>(job.y * work_.stride + scene_.camera.crop_y);
-    }
-    const Int x = load(xs), y = load(ys);
-    const Sampler sampler{hash(hash(x, y), Int(scene_.seed)), reverse_bits(load(sample_ + end_)),
-                          scene_.independent_samples};
-    const Vec2 u = sampler.pair(Int(dimension::kFilter));
-    // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands
-    // for.
-    const Vec2 offset =
-        work_.stride == 1 ? sample_filter(scene_.camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};
-    const auto stride = static_cast<T>(work_.stride);
-    const Ray ray = camera_ray(scene_, to_real(x) + (T(0.5) + offset.x) * stride,
-                               to_real(y) + (T(0.5) + offset.y) * stride, sampler);
-    store(o_[0] + end_, ray.o.x);
-    store(o_[1] + end_, ray.o.y);
-    store(o_[2] + end_, ray.o.z);
-    store(d_[0] + end_, ray.d.x);
-    store(d_[1] + end_, ray.d.y);
-    store(d_[2] + end_, ray.d.z);
-    store(time_ + end_, ray.time);
-    store(pixel_key_ + end_, sampler.pixel_key);
-    end_ += count;
-  }
-
-  const SceneView<T>& scene_;
-  const Work& work_;
-  Jobs jobs_;
-  // Fewer than kLanes left over, kLanes new ones, and room to read kLanes from any of them.
-  alignas(64) T o_[3][3 * kLanes] = {}, d_[3][3 * kLanes] = {}, time_[3 * kLanes] = {};
-  alignas(64) std::uint32_t pixel_[3 * kLanes] = {}, sample_[3 * kLanes] = {},
-                                       pixel_key_[3 * kLanes] = {};
-  unsigned begin_ = 0, end_ = 0;
-};
+/// Paths that begin, in the lanes of `active`: samples of the pixels (x, y) of the picture, which
+/// are each `stride` pixels wide.
+inline Paths start_paths(const SceneView<T>& scene, int stride, Int x, Int y, Int pixel, Int sample,
+                         Mask active) {
+  Paths paths{};
+  paths.pixel = pixel;
+  paths.sample = sample;
+  paths.sampler = {hash(hash(x, y), Int(scene.seed)), reverse_bits(sample),
+                   scene.independent_samples};
+  const Vec2 u = paths.sampler.pair(Int(dimension::kFilter));
+  // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands for.
+  const Vec2 offset =
+      stride == 1 ? sample_filter(scene.camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};
+  const auto width = static_cast<T>(stride);
+  paths.ray = camera_ray(scene, to_real(x) + (T(0.5) + offset.x) * width,
+                         to_real(y) + (T(0.5) + offset.y) * width, paths.sampler);
+  paths.throughput = Vec(Real(1));
+  paths.radiance = Vec(Real(0));
+  paths.pdf = Real(0);
+  paths.via = Int(kStraight);
+  paths.roulette_scale = Real(1);
+  paths.segments = Int(0U);
+  paths.alive = active;
+  return paths;
+}
 
 LIGHTBENCH_KERNEL_END

@@ -1,59 +1,30 @@
 #pragma once
 // Unidirectional path tracing with next-event estimation and multiple importance sampling (power
-// heuristic). One path per lane, advanced one vertex at a time; a lane whose path ends takes the
-// next (pixel, sample) at once, so lanes never idle while work is left.
+// heuristic). One path per lane, advanced one vertex at a time; a lane whose path has ended takes
+// the next (pixel, sample) before the lanes are shaded, so that none idles there while work is
+// left.
 
 #include "core/kernel/direct_light.h"
 #include "core/kernel/path_end.h"
-#include "core/kernel/path_starts.h"
-#include "core/kernel/splat.h"
-#include "core/lights/environment.h"
+#include "core/kernel/path_queue.h"
 
 LIGHTBENCH_KERNEL_BEGIN
-
-/// What step() reports to is a template parameter; this one takes no reports and costs nothing.
-/// core/query/path_watch.h has the one that writes a path down.
-struct Unwatched {
-  static constexpr bool kOn = false;
-};
 
 /// Survival of roulette over the path's throughput. 1 keeps all paths alike; twice that traces 5 %
 /// more rays for 14 % less squared error in the headline scene (docs/performance.md).
 inline constexpr T kRouletteSurvival = 2;
 
-/// Advances every live path by one vertex.
+/// Takes every live path from what its ray met to its next ray: emission, direct light, scattering.
 template <class Watch>
-inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Watch& watch) {
-  const Mask alive = paths.alive;
-  counters.rays += static_cast<std::uint64_t>(__builtin_popcount(bits(alive)));
-  NearestHit hit = no_hit(Real(kInfinity));
-  find_hits<false>(scene, paths.ray, alive, hit);
-  if (uses(scene, Feature::Triangles)) refine_hits(scene, paths.ray, hit);
-  const Int dimension_base =
-      paths.segments * Int(dimension::kPerVertex) + Int(dimension::kFirstVertex);
-  paths.segments = select(alive, paths.segments + Int(1U), paths.segments);
-
+inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& met,
+                  Counters& counters, Watch& watch) {
+  const NearestHit& hit = met.hit;
+  const MediumHit& medium = met.medium;
+  const Int dimension_base = first_dimension(paths);
   Vertex v;
-  v.in_medium = false;
-  MediumHit medium{hit.t, Vec(Real(1)), Mask(false)};
-  if (uses(scene, Feature::Media)) {
-    medium = sample_media(scene, paths.ray, hit.t, paths.sampler, dimension_base, alive);
-    v.in_medium = medium.scattered;
-  }
-  const Mask hit_something = hit.primitive != Int(kNoHit);
-  v.on_surface = alive && hit_something && !v.in_medium;
-  const Mask escaped = alive && !hit_something && !v.in_medium;
-  if (uses(scene, Feature::Environment) && any(escaped)) {
-    const Vec sky = environment_radiance(scene, paths.ray.d, escaped);
-    if constexpr (Watch::kOn) watch.emitted(escaped, sky, Real(1));
-    paths.radiance = select(escaped, paths.radiance + paths.throughput * sky, paths.radiance);
-  }
-  Mask going = v.on_surface || v.in_medium;
-  if constexpr (Watch::kOn) watch.going(going, PathEnd::Escaped);
-  if (none(going)) {
-    paths.alive = false;
-    return;
-  }
+  v.in_medium = uses(scene, Feature::Media) ? paths.alive && medium.scattered : Mask(false);
+  v.on_surface = paths.alive && !v.in_medium;
+  Mask going = paths.alive;
 
   v.wo = -paths.ray.d;
   find_surface(scene, paths.ray, hit, v.on_surface, v);
@@ -169,18 +140,19 @@ inline void step(const SceneView<T>& scene, Paths& paths, Counters& counters, Wa
 
 inline void render_work(const SceneView<T>& scene, const Work& work, FilmView film,
                         Counters& counters) {
-  PathStarts starts(scene, work, film);
+  PathQueue queue(scene, work, film, counters);
   Paths paths{};
   paths.ray.skip = paths.ray.skip_slot = Int(kNoHit);
   paths.ray.skip_back = paths.alive = Mask(false);
   Unwatched unwatched;
-  Mask used = starts.fill(Mask(true), paths);
-  while (any(used)) {
-    step(scene, paths, counters, unwatched);
+  for (Mask used(false);;) {
+    Interaction met = intersect(scene, paths, counters);
+    escape(scene, paths, met, unwatched);
     const Mask done = used && !paths.alive;
-    if (none(done)) continue;
-    splat(scene, paths, done, work, film, counters);
-    used = paths.alive || starts.fill(done, paths);
+    if (any(done)) splat(scene, paths, done, work, film, counters);
+    used = paths.alive || queue.fill(!paths.alive, paths, met);
+    if (none(used)) return;
+    shade(scene, paths, met, counters, unwatched);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// One path, traced by the path tracer's own step() and written down on the way.
+// One path, traced by the path tracer's own steps and written down on the way.
 
 #include "core/kernel/path_tracer.h"
 #include "core/query/query_table.h"
@@ -15,7 +15,7 @@ inline void put(Vec v, double (&out)[3]) {
 inline double number(Real x) { return static_cast<double>(first(x)); }
 inline bool is_true(Mask m) { return (bits(m) & 1U) != 0; }
 
-/// What step() reports of the path in lane 0, into the vertex at hand.
+/// What the steps report of the path in lane 0, into the vertex at hand.
 class PathWatch {
  public:
   static constexpr bool kOn = true;
@@ -110,18 +110,20 @@ inline void watch_path(const SceneView<T>& picture, const SampleName& name, Kern
   scene.camera.crop_y = name.y;
   const Work work{0, 0, 1, 1, name.sample, 1, 1};
   const FilmView film{&path.film, 1};
-  PathStarts starts(scene, work, film);
-  Paths paths{};
-  paths.ray.skip = paths.ray.skip_slot = Int(kNoHit);
-  paths.ray.skip_back = paths.alive = Mask(false);
-  const Mask used = starts.fill(mask_from_bits(1U), paths);
+  const Mask lane = mask_from_bits(1U);
+  Paths paths =
+      start_paths(scene, 1, Int(static_cast<std::uint32_t>(name.x)),
+                  Int(static_cast<std::uint32_t>(name.y)), Int(0U), Int(name.sample), lane);
   PathWatch watch;
   while (any(paths.alive)) {
     watch.begin(paths);
-    step(scene, paths, path.counters, watch);
+    const Interaction met = intersect(scene, paths, path.counters);
+    escape(scene, paths, met, watch);
+    watch.going(paths.alive, PathEnd::Escaped);
+    if (any(paths.alive)) shade(scene, paths, met, path.counters, watch);
     path.add(path.context, watch.end_vertex(paths));
   }
-  splat(scene, paths, used, work, film, path.counters);
+  splat(scene, paths, lane, work, film, path.counters);
 }
 
 LIGHTBENCH_KERNEL_END
