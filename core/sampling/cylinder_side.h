@@ -19,7 +19,7 @@ struct CylinderSide {
   Vec x, y;             ///< what x and y map to, less what they have along the axis ...
   Real lean_x, lean_y;  ///< ... and that
   Real rho, gap;        ///< gap = rho^2 - 1, without cancellation
-  Real top, bottom;     ///< signed distances along the axis from the point to the caps on it ...
+  Real top, bottom;     ///< signed distances along the axis from the point to the caps' centres ...
   Real height;          ///< ... and their difference, which from afar would cancel
   Real turn;            ///< |x cross y|
   // The density of azimuths, by nodes.
@@ -52,7 +52,10 @@ inline SideLine side_line(const CylinderSide& s, Real sine, Real cosine, Real ch
   const Real across2 = length_squared(m), across = sqrt(across2);
   r.toward = m * (Real(1) / across);
   r.run = near * across;
-  const Real lean = near * fma(s.lean_x, cosine, s.lean_y * sine);
+  // From the axis to the near line, which is a unit vector however far the point is.
+  const Real k = s.rho * sine;
+  const Real off_x = -fma(chord, cosine, k * sine), off_y = fma(k, cosine, -(chord * sine));
+  const Real lean = fma(s.lean_x, off_x, s.lean_y * off_y);
   r.low = lean + s.bottom;
   r.high = lean + s.top;
   const Real run2 = r.run * r.run;

@@ -59,11 +59,41 @@ inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
   return triple_product(a, a_lost, b, Vec(Real(0)), c, Vec(Real(0)));
 }
 
+/// |a| |b| |c| (1 + the cosines of the sides): what the tangent of half the solid angle divides the
+/// determinant by.
+inline Real solid_angle_cotangent(Vec a, Vec b, Vec c, Real la, Real lb, Real lc) {
+  return fma(dot(b, c), la, fma(dot(a, c), lb, fma(dot(a, b), lc, la * lb * lc)));
+}
+
+/// The same without the cancellation that it suffers within a solid angle's width of an edge, where
+/// two sides nearly add up to pi; with what rounding took from the three. Never inlined: few lanes
+/// need it.
+[[gnu::noinline]] inline Real exact_cotangent(Vec a, Vec a_lost, Vec b, Vec b_lost, Vec c,
+                                              Vec c_lost) {
+  const auto length_of = [](Vec v, Vec lost) -> ExactDot {
+    const ExactDot squared = exact_dot(v, lost, v, lost);
+    const Real l = sqrt(squared.value);
+    return {l, (fma(-l, l, squared.value) + squared.lost) * (T(0.5) / l)};
+  };
+  const auto times = [](ExactDot x, ExactDot y) -> ExactDot {
+    const Real p = x.value * y.value;
+    return {p, fma(x.value, y.value, -p) + (x.lost * y.value + x.value * y.lost)};
+  };
+  const auto plus = [](ExactDot x, ExactDot y) -> ExactDot {
+    const Real sum = x.value + y.value;
+    return {sum, difference_error(x.value, -y.value, sum) + (x.lost + y.lost)};
+  };
+  const ExactDot la = length_of(a, a_lost), lb = length_of(b, b_lost), lc = length_of(c, c_lost);
+  const ExactDot r = plus(
+      plus(times(times(la, lb), lc), times(exact_dot(b, b_lost, c, c_lost), la)),
+      plus(times(exact_dot(a, a_lost, c, c_lost), lb), times(exact_dot(a, a_lost, b, b_lost), lc)));
+  return r.value + r.lost;
+}
+
 /// Half the solid angle (0 to pi) of the triangle a, b, c relative to the viewpoint; la, lb, lc are
 /// their lengths and `determinant` is |a . (b - a) x (c - a)|, from the original edges.
 inline Real half_solid_angle(Vec a, Vec b, Vec c, Real la, Real lb, Real lc, Real determinant) {
-  const Real rest = fma(dot(b, c), la, fma(dot(a, c), lb, fma(dot(a, b), lc, la * lb * lc)));
-  return atan2(determinant, rest);
+  return atan2(determinant, solid_angle_cotangent(a, b, c, la, lb, lc));
 }
 
 /// Unit direction. p and q are relative to the viewpoint; the edges pq and pr to q and r are those

@@ -283,8 +283,11 @@ inline EllipticCylinderView view_elliptic_cylinder(const EllipticCylinder& e, Ve
     s.y = madd(s.axis, -s.lean_y, y);
     s.rho = rho;
     s.gap = (rho - Real(1)) * (rho + Real(1));
-    s.top = half * (Real(1) - r.local.y);
-    s.bottom = half * (Real(-1) - r.local.y);
+    // Not by way of the local point: of a skewed cylinder seen from afar its roundings would cost
+    // several digits.
+    const Real middle = dot(e.to_world.point(Vec(Real(0))) - from, s.axis);
+    s.top = middle + half;
+    s.bottom = middle - half;
     s.height = T(2) * half;
     s.turn = e.determinant / half;
     prepare_cylinder_side(s);
@@ -293,7 +296,7 @@ inline EllipticCylinderView view_elliptic_cylinder(const EllipticCylinder& e, Ve
     const Real side = copysign(Real(1), r.local.y);
     const PrincipalAxes axes = axes_of_ellipse(e.to_world.vector({Real(1), Real(0), Real(0)}),
                                                e.to_world.vector({Real(0), Real(0), Real(1)}));
-    v.cap_from = e.to_world.vector({r.local.x, r.local.y - side, r.local.z});
+    v.cap_from = from - e.to_world.point({Real(0), side, Real(0)});
     const Real height =
         (abs(r.local.y) - Real(1)) / length(e.to_local.transposed({Real(0), Real(1), Real(0)}));
     v.cap = spherical_ellipse_of_ellipsoid(axes,
