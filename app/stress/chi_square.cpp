@@ -133,6 +133,7 @@ std::vector<double> observe(Random& random, const RenderScene& scene, const Case
     const BsdfSample& s = samples[i];
     if (s.valid && !(values[i].pdf > 0)) ++stray;
     double a = 0, b = 0;
+    // Unit to the kernel's rounding, which another line asks; the chart wants it exactly.
     if (s.valid) chart.coordinates(glm::normalize(s.wi), a, b);
     observed[s.valid ? cell_of(a, b) : kCells * kCells] += 1;
   }

@@ -75,7 +75,7 @@ KnownPicture draw_lens(Random& random, Precision precision) {
   const double share = random.between(-0.9, 0.9), edge = share * blurred;
   add(s, RectangleShape{{edge, -kWide, -depth}, {2 * kWide, 0, 0}, {0, 2 * kWide, 0}},
       light(dvec3(1)));
-  // So narrow that all pixels show the same share, to a hundredth of the precision.
+  // So narrow that what the pixels' shares differ by does not pass for noise.
   look(s, dvec3(0), {0, 0, -1}, std::min(1e-4, 0.01 * blurred / depth));
   s.camera.lens_radius = lens;
   s.camera.focus_distance = focus;

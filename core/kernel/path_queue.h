@@ -28,18 +28,8 @@ class PathQueue {
     }
     const auto take = [&](const auto& from, auto& into) { into = expand(m, from + begin_, into); };
     each_number(paths, met, take);
-    paths.ray.from = select(m, Int(kNoHit), paths.ray.from);
-    paths.ray.from_slot = select(m, Int(kNoHit), paths.ray.from_slot);
-    paths.ray.inside = !m && paths.ray.inside;
-    paths.sampler.reversed_index = reverse_bits(paths.sample);
-    paths.sampler.independent = scene_.independent_samples;
-    paths.throughput = select(m, Vec(Real(1)), paths.throughput);
-    paths.radiance = select(m, Vec(Real(0)), paths.radiance);
-    paths.pdf = select(m, Real(0), paths.pdf);
-    paths.via = select(m, Int(kStraight), paths.via);
-    paths.roulette_scale = select(m, Real(1), paths.roulette_scale);
+    begin_paths(scene_, m, paths);
     paths.segments = select(m, Int(1U), paths.segments);
-    paths.alive = paths.alive || m;
     if (uses(scene_, Feature::Media)) {
       Int scattered = select(met.medium.scattered, Int(1U), Int(0U));
       take(scattered_, scattered);

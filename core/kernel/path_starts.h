@@ -66,15 +66,32 @@ class Jobs {
   std::uint64_t left_ = 0;
 };
 
+/// What all paths begin with, in the lanes of m, whose pixels and samples are set.
+inline void begin_paths(const SceneView<T>& scene, Mask m, Paths& paths) {
+  paths.ray.from = select(m, Int(kNoHit), paths.ray.from);
+  paths.ray.from_slot = select(m, Int(kNoHit), paths.ray.from_slot);
+  paths.ray.inside = !m && paths.ray.inside;
+  paths.throughput = select(m, Vec(Real(1)), paths.throughput);
+  paths.radiance = select(m, Vec(Real(0)), paths.radiance);
+  paths.pdf = select(m, Real(0), paths.pdf);
+  paths.via = select(m, Int(kStraight), paths.via);
+  paths.roulette_scale = select(m, Real(1), paths.roulette_scale);
+  paths.segments = select(m, Int(0U), paths.segments);
+  paths.sampler.reversed_index = reverse_bits(paths.sample);
+  paths.sampler.independent = scene.independent_samples;
+  paths.alive = paths.alive || m;
+}
+
 /// Paths that begin, in the lanes of `active`: samples of the pixels (x, y) of the picture, which
 /// are each `stride` pixels wide.
 inline Paths start_paths(const SceneView<T>& scene, int stride, Int x, Int y, Int pixel, Int sample,
                          Mask active) {
   Paths paths{};
+  paths.alive = false;
   paths.pixel = pixel;
   paths.sample = sample;
-  paths.sampler = {hash(hash(x, y), Int(scene.seed)), reverse_bits(sample),
-                   scene.independent_samples};
+  paths.sampler.pixel_key = hash(hash(x, y), Int(scene.seed));
+  begin_paths(scene, active, paths);
   const Vec2 u = paths.sampler.pair(Int(dimension::kFilter));
   // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands for.
   const Vec2 offset =
@@ -82,13 +99,6 @@ inline Paths start_paths(const SceneView<T>& scene, int stride, Int x, Int y, In
   const auto width = static_cast<T>(stride);
   paths.ray = camera_ray(scene, to_real(x) + (T(0.5) + offset.x) * width,
                          to_real(y) + (T(0.5) + offset.y) * width, paths.sampler);
-  paths.throughput = Vec(Real(1));
-  paths.radiance = Vec(Real(0));
-  paths.pdf = Real(0);
-  paths.via = Int(kStraight);
-  paths.roulette_scale = Real(1);
-  paths.segments = Int(0U);
-  paths.alive = active;
   return paths;
 }
 

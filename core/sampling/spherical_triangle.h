@@ -61,15 +61,15 @@ inline Real triple_product(Vec a, Vec a_lost, Vec b, Vec c) {
 
 /// |a| |b| |c| (1 + the cosines of the sides): what the tangent of half the solid angle divides the
 /// determinant by.
-inline Real solid_angle_cotangent(Vec a, Vec b, Vec c, Real la, Real lb, Real lc) {
+inline Real solid_angle_divisor(Vec a, Vec b, Vec c, Real la, Real lb, Real lc) {
   return fma(dot(b, c), la, fma(dot(a, c), lb, fma(dot(a, b), lc, la * lb * lc)));
 }
 
 /// The same without the cancellation that it suffers within a solid angle's width of an edge, where
 /// two sides nearly add up to pi; with what rounding took from the three. Never inlined: few lanes
 /// need it.
-[[gnu::noinline]] inline Real exact_cotangent(Vec a, Vec a_lost, Vec b, Vec b_lost, Vec c,
-                                              Vec c_lost) {
+[[gnu::noinline]] inline Real exact_solid_angle_divisor(Vec a, Vec a_lost, Vec b, Vec b_lost, Vec c,
+                                                        Vec c_lost) {
   const auto length_of = [](Vec v, Vec lost) -> ExactDot {
     const ExactDot squared = exact_dot(v, lost, v, lost);
     const Real l = sqrt(squared.value);
@@ -93,7 +93,7 @@ inline Real solid_angle_cotangent(Vec a, Vec b, Vec c, Real la, Real lb, Real lc
 /// Half the solid angle (0 to pi) of the triangle a, b, c relative to the viewpoint; la, lb, lc are
 /// their lengths and `determinant` is |a . (b - a) x (c - a)|, from the original edges.
 inline Real half_solid_angle(Vec a, Vec b, Vec c, Real la, Real lb, Real lc, Real determinant) {
-  return atan2(determinant, solid_angle_cotangent(a, b, c, la, lb, lc));
+  return atan2(determinant, solid_angle_divisor(a, b, c, la, lb, lc));
 }
 
 /// Unit direction. p and q are relative to the viewpoint; the edges pq and pr to q and r are those

@@ -157,15 +157,16 @@ inline PyramidView view_pyramid(const Pyramid& s, Vec from) {
     const Real height = -triple_product(c.p, c.p_lost, c.pq, c.pq_lost, c.pr, c.pr_lost);
     const Vec q = c.p + c.pq, k = c.p + c.pr;
     const Real lp = length(c.p), lq = length(q), lk = length(k);
-    Real cotangent = solid_angle_cotangent(c.p, q, k, lp, lq, lk);
+    Real divisor = solid_angle_divisor(c.p, q, k, lp, lq, lk);
     // From nearby its terms may cancel, and the determinant be as small.
-    const Mask cancels = height > Real(0) && max(height, abs(cotangent)) < T(0.25) * (lp * lq * lk);
+    const Mask cancels = height > Real(0) && max(height, abs(divisor)) < T(0.25) * (lp * lq * lk);
     if (any(cancels)) {
       const Vec q_lost = c.p_lost + c.pq_lost + difference_error(c.p, -c.pq, q);
       const Vec k_lost = c.p_lost + c.pr_lost + difference_error(c.p, -c.pr, k);
-      cotangent = select(cancels, exact_cotangent(c.p, c.p_lost, q, q_lost, k, k_lost), cotangent);
+      divisor =
+          select(cancels, exact_solid_angle_divisor(c.p, c.p_lost, q, q_lost, k, k_lost), divisor);
     }
-    const Real half = atan2(height, cotangent);
+    const Real half = atan2(height, divisor);
     r.half[i] = select(height > Real(0), half, Real(0));
     r.total += r.half[i];
     r.outside = r.outside || -dot(s.n[i], c.p) > margin;
