@@ -9,7 +9,7 @@ namespace lightbench::ui {
 namespace {
 
 void load_environment(Workbench& bench, const std::string& file) {
-  load_image_later(bench, file, true, [file](Scene& scene, std::shared_ptr<const Image> image) {
+  load_image_later(bench, file, true, [file](Scene& scene, std::shared_ptr<const Texels> image) {
     scene.environment.kind = EnvironmentKind::Image;
     scene.environment.file = file;
     scene.environment.image = std::move(image);

@@ -10,7 +10,7 @@ namespace lightbench::ui {
 void load_texture_image(Workbench& bench, const std::string& texture, const std::string& file,
                         bool srgb) {
   load_image_later(bench, file, srgb,
-                   [&bench, texture, file, srgb](Scene& scene, std::shared_ptr<const Image> image) {
+                   [&bench, texture, file, srgb](Scene& scene, std::shared_ptr<const Texels> image) {
                      std::string name = texture;
                      if (name.empty()) {
                        bench.editor.selection = add_texture(scene, TextureKind::Image);

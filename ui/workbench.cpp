@@ -21,10 +21,10 @@ double length_step(const Scene& scene) {
 }
 
 void load_image_later(Workbench& bench, const std::string& file, bool srgb,
-                      std::function<void(Scene&, std::shared_ptr<const Image>)> assign) {
+                      std::function<void(Scene&, std::shared_ptr<const Texels>)> assign) {
   const std::filesystem::path path = bench.editor.directory() / file;
   bench.jobs.run([&bench, path, srgb, assign = std::move(assign)]() -> BackgroundJobs::Finish {
-    std::shared_ptr<const Image> image = load_image(path, srgb);
+    std::shared_ptr<const Texels> image = load_image(path, srgb);
     return [&bench, assign, image] { assign(bench.editor.scene, image); };
   });
 }

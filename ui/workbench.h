@@ -68,7 +68,7 @@ double length_step(const Scene& scene);
 /// Loads an image off the UI thread into `assign`, which runs on the UI thread. `file` as in the
 /// scene: relative to its folder.
 void load_image_later(Workbench& bench, const std::string& file, bool srgb,
-                      std::function<void(Scene&, std::shared_ptr<const Image>)> assign);
+                      std::function<void(Scene&, std::shared_ptr<const Texels>)> assign);
 
 /// `file` as a scene stores it: relative to the scene's folder where possible.
 std::string asset_name(const Editor& editor, const std::filesystem::path& file);

@@ -21,11 +21,11 @@ bool reach_stands(const SceneReach& reach, const Scene& scene, Change change) {
          reach.shutter_close == scene.camera.shutter_close && reach.roles == object_roles(scene);
 }
 
-glm::dvec3 channel_peaks(const Image& image) {
+glm::dvec3 channel_peaks(const Texels& image) {
   glm::dvec3 peak(0);
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    const int channel = static_cast<int>(i % 3);
-    peak[channel] = std::max(peak[channel], static_cast<double>(image.rgb[i]));
+  for (std::size_t i = 0; i < image.count(); ++i) {
+    const std::array<float, 3> color = image.color(i);
+    peak = glm::max(peak, glm::dvec3(color[0], color[1], color[2]));
   }
   return peak;
 }

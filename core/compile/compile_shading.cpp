@@ -13,6 +13,13 @@
 namespace lightbench {
 namespace {
 
+ImageView view_of(const Texels* image) {
+  if (image == nullptr) return {};
+  if (image->packed.empty())
+    return {image->rgb.data(), nullptr, nullptr, image->width, image->height};
+  return {nullptr, image->packed.data(), image->values.data(), image->width, image->height};
+}
+
 BsdfKind bsdf_of(const Material& m) {
   switch (m.kind) {
     case MaterialKind::Lambertian:
@@ -94,9 +101,7 @@ std::shared_ptr<const TexturePart<T>> compile_textures(const Scene& scene) {
                                         static_cast<double>(t.wrap)};
     for (const double x : row) part->rows.push_back(static_cast<T>(x));
     part->keep.push_back(t.image);
-    part->images.push_back(t.image == nullptr
-                               ? ImageView{}
-                               : ImageView{t.image->rgb.data(), t.image->width, t.image->height});
+    part->images.push_back(view_of(t.image.get()));
   }
   return part;
 }
@@ -226,7 +231,7 @@ EnvironmentView<T> compile_environment(const Environment& e) {
   }
   v.cos_rotation = static_cast<T>(std::cos(glm::radians(e.rotation)));
   v.sin_rotation = static_cast<T>(std::sin(glm::radians(e.rotation)));
-  if (e.image != nullptr) v.image = {e.image->rgb.data(), e.image->width, e.image->height};
+  v.image = view_of(e.image.get());
   return v;
 }
 

@@ -72,7 +72,7 @@ template <class T>
 struct TexturePart {
   std::vector<T> rows;
   std::vector<ImageView> images;
-  std::vector<std::shared_ptr<const Image>> keep;
+  std::vector<std::shared_ptr<const Texels>> keep;
 };
 
 template <class T>
@@ -81,7 +81,7 @@ struct KernelParts {
   std::shared_ptr<const MaterialPart<T>> materials;
   std::shared_ptr<const LightPart<T>> lights;
   std::shared_ptr<const TexturePart<T>> textures;
-  std::shared_ptr<const Image> environment;
+  std::shared_ptr<const Texels> environment;
   glm::dvec3 environment_peak{0};  ///< largest value of each channel of that image
   SceneView<T> view;
 };

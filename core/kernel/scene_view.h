@@ -66,8 +66,11 @@ struct MeshView {
   bool beyond_cache = false;                     ///< nodes and blocks are worth asking for ahead
 };
 
+/// Pixels as core/scene/texels.h has them: either `rgb` or both `packed` and `values`.
 struct ImageView {
   const float* rgb = nullptr;
+  const std::uint32_t* packed = nullptr;
+  const float* values = nullptr;
   int width = 0, height = 0;
 };
 

@@ -110,6 +110,7 @@ LaneRow<kSize> merged_rows(Int id, Mask active, F row) {
   bool first = true;
   for_each_distinct(id, active, [&](std::uint32_t i, Mask m) {
     const T* numbers = row(i);
+#pragma GCC unroll 64
     for (unsigned k = 0; k < kSize; ++k) {
       merged.numbers[k] = first ? Real(numbers[k]) : select(m, Real(numbers[k]), merged.numbers[k]);
     }
@@ -123,6 +124,7 @@ LaneRow<kSize> merged_rows(Int id, Mask active, F row) {
 template <unsigned kSize>
 LaneRow<kSize> row_of_columns(const T* columns, Int index) {
   LaneRow<kSize> row;
+#pragma GCC unroll 64
   for (unsigned k = 0; k < kSize; ++k) {
     row.numbers[k] = look_up(columns + std::size_t{kColumnRows} * k, index);
   }

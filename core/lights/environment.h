@@ -2,7 +2,7 @@
 // Radiance from outside the scene, by direction.
 
 #include "core/kernel/scene_view.h"
-#include "core/textures/texture.h"
+#include "core/textures/image.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -18,16 +18,9 @@ inline Vec environment_radiance(const SceneView<T>& scene, Vec d, Mask active) {
   }
   const Vec q{fma(d.x, Real(e.cos_rotation), -(d.z * e.sin_rotation)), d.y,
               fma(d.x, Real(e.sin_rotation), d.z * e.cos_rotation)};
-  alignas(64) T u[kLanes], v[kLanes], rgb[3][kLanes] = {};
-  store(u, atan2(q.x, -q.z) * (kInvPi * T(0.5)) + Real(T(0.5)));
-  store(v, acos(-q.y) * kInvPi);
-  for (std::uint32_t m = bits(active); m != 0; m &= m - 1) {
-    const auto lane = static_cast<unsigned>(__builtin_ctz(m));
-    T texel[3];
-    sample_image(e.image, u[lane], v[lane], 0, texel);
-    for (unsigned k = 0; k < 3; ++k) rgb[k][lane] = texel[k];
-  }
-  return Vec{load(rgb[0]), load(rgb[1]), load(rgb[2])} * color;
+  const Real u = atan2(q.x, -q.z) * (kInvPi * T(0.5)) + Real(T(0.5));
+  const Real v = acos(-q.y) * kInvPi;
+  return sample_image(e.image, u, v, wrap_mode::kRepeat, active) * color;
 }
 
 LIGHTBENCH_KERNEL_END

@@ -20,9 +20,12 @@ class Fnv1a {
   void add(const std::vector<T>& values) {
     add(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
   }
-  void add(const Image& image) {
+  void add(const Texels& image) {
     add(std::vector<int>{image.width, image.height});
-    add(image.rgb);
+    for (std::size_t i = 0; i < image.count(); ++i) {
+      const std::array<float, 3> color = image.color(i);
+      add(std::string_view(reinterpret_cast<const char*>(color.data()), sizeof color));
+    }
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
 

@@ -19,7 +19,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/scene/image.h"
+#include "core/scene/texels.h"
 #include "core/scene/mesh.h"
 
 namespace lightbench {
@@ -119,7 +119,7 @@ struct Texture {
   WrapMode wrap = WrapMode::Repeat;
   std::string file;  ///< image
   bool srgb = true;  ///< image: 8-bit values are sRGB encoded and decoded to linear
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Texels> image;
   bool operator==(const Texture&) const = default;
 };
 
@@ -206,7 +206,7 @@ struct Environment {
   double strength = 1;
   double rotation = 0;  ///< degrees about +y, image only
   std::string file;     ///< equirectangular image
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Texels> image;
   bool operator==(const Environment&) const = default;
 };
 

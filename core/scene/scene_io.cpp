@@ -90,7 +90,7 @@ class AssetLoader {
     return list + std::to_string(index) + "/file";
   }
 
-  std::shared_ptr<const Image> image(const std::string& pointer, std::string& file, bool srgb) {
+  std::shared_ptr<const Texels> image(const std::string& pointer, std::string& file, bool srgb) {
     return once(images_[srgb ? 1 : 0], file, pointer, [&] { return load_image(file, srgb); });
   }
 
@@ -109,7 +109,7 @@ class AssetLoader {
   }
 
   std::filesystem::path directory_;
-  std::map<std::string, std::shared_ptr<const Image>> images_[2];
+  std::map<std::string, std::shared_ptr<const Texels>> images_[2];
   std::map<std::string, std::shared_ptr<const Mesh>> meshes_;
 };
 
@@ -154,11 +154,11 @@ void save_scene(const Scene& scene, const std::filesystem::path& file) {
 
 // High-dynamic-range files in the wild hold infinities (a sun too bright for half floats), NaN and
 // the negative lobes of resampling filters; one such texel would poison every path that sees it.
-std::shared_ptr<const Image> load_image(const std::filesystem::path& file, bool srgb) {
+std::shared_ptr<const Texels> load_image(const std::filesystem::path& file, bool srgb) {
   constexpr float kBrightest = 1e12F;
   Image image = read_image(file, srgb);
   for (float& value : image.rgb) value = value > 0 ? std::min(value, kBrightest) : 0.0F;
-  return std::make_shared<const Image>(std::move(image));
+  return std::make_shared<const Texels>(make_texels(std::move(image)));
 }
 
 }  // namespace lightbench

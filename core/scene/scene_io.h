@@ -38,6 +38,6 @@ void validate(const Scene& scene);
 /// Loads one mesh (PLY, OBJ, ... through assimp) or one image (PNG, JPEG, HDR, EXR,
 /// PFM, PPM) for the editor. Texels are made finite and not negative, at most 1e12.
 std::shared_ptr<const Mesh> load_mesh(const std::filesystem::path& file);
-std::shared_ptr<const Image> load_image(const std::filesystem::path& file, bool srgb);
+std::shared_ptr<const Texels> load_image(const std::filesystem::path& file, bool srgb);
 
 }  // namespace lightbench
