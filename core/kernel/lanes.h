@@ -38,3 +38,10 @@
 #else
 #include "core/kernel/elementary_float.h"
 #endif
+
+LIGHTBENCH_KERNEL_BEGIN
+
+inline constexpr std::uint32_t kLaneNumbers[16] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                   8, 9, 10, 11, 12, 13, 14, 15};
+
+LIGHTBENCH_KERNEL_END

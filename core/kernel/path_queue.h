@@ -73,20 +73,24 @@ class PathQueue {
   /// Starts up to kLanes paths and appends those that met something; fewer than kLanes are left
   /// when it is called.
   [[gnu::noinline]] void generate() {
-    alignas(64) std::uint32_t xs[kLanes] = {}, ys[kLanes] = {}, pixels[kLanes] = {},
-                              samples[kLanes] = {};
+    Int x(0U), y(0U), pixel(0U), sample(0U);
+    const Int lane = load(kLaneNumbers);
     unsigned count = 0;
-    for (; count < kLanes && jobs_.left() > 0; ++count) {
-      const Jobs::Job job = jobs_.take();
-      pixels[count] = job.pixel;
-      samples[count] = job.sample;
+    while (count < kLanes && jobs_.left() > 0) {
+      const Jobs::Run run = jobs_.take(kLanes - count);
+      // All lanes from here on; those behind the run are the next one's.
+      const Mask m = lane >= Int(count);
       // Of the picture: a window of it holds the very samples of the whole.
-      xs[count] = static_cast<std::uint32_t>(job.x * work_.stride + scene_.camera.crop_x);
-      ys[count] = static_cast<std::uint32_t>(job.y * work_.stride + scene_.camera.crop_y);
+      const int run_x = run.x * work_.stride + scene_.camera.crop_x;
+      const int run_y = run.y * work_.stride + scene_.camera.crop_y;
+      x = select(m, Int(static_cast<std::uint32_t>(run_x)), x);
+      y = select(m, Int(static_cast<std::uint32_t>(run_y)), y);
+      pixel = select(m, Int(run.pixel), pixel);
+      sample = select(m, lane + Int(run.first_sample - count), sample);
+      count += run.count;
     }
-    const Mask all = mask_from_bits((1U << (count - 1U) << 1U) - 1U);
-    Paths paths =
-        start_paths(scene_, work_.stride, load(xs), load(ys), load(pixels), load(samples), all);
+    const Mask all = lane < Int(count);
+    Paths paths = start_paths(scene_, work_.stride, x, y, pixel, sample, all);
     Interaction met = intersect(scene_, paths, counters_);
     Unwatched unwatched;
     escape(scene_, paths, met, unwatched);

@@ -24,19 +24,23 @@ class Jobs {
 
   [[nodiscard]] std::uint64_t left() const { return left_; }
 
-  struct Job {
+  /// Samples of one pixel that follow each other.
+  struct Run {
     int x, y;  ///< film
-    std::uint32_t pixel, sample;
+    std::uint32_t pixel, first_sample, count;
   };
-  /// left() > 0.
-  Job take() {
-    const Job job{x_, y_, static_cast<std::uint32_t>(y_ * film_width_ + x_), sample_++};
-    --left_;
-    if (--left_of_pixel_ == 0 && left_ > 0) {
+  /// At most `most` (above 0) samples; left() > 0.
+  Run take(std::uint32_t most) {
+    const std::uint32_t count = left_of_pixel_ < most ? left_of_pixel_ : most;
+    const Run run{x_, y_, static_cast<std::uint32_t>(y_ * film_width_ + x_), sample_, count};
+    sample_ += count;
+    left_ -= count;
+    left_of_pixel_ -= count;
+    if (left_of_pixel_ == 0 && left_ > 0) {
       next_pixel();
       begin_pixel();
     }
-    return job;
+    return run;
   }
 
  private:
