@@ -108,11 +108,11 @@ template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
   test_shape<kShadow, kKind, kOrder>(scene, Int(i), shape, ray, active, hit);
 }
 
-/// All surfaces of one kind.
+/// All surfaces of one kind; for shadow rays, all that can be in the way.
 template <bool kShadow, PrimitiveKind kKind>
 inline void test_run(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
   constexpr auto k = static_cast<unsigned>(kKind);
-  const std::uint32_t end = scene.kind_begin[k + 1];
+  const std::uint32_t end = kShadow ? scene.occluders_end[k] : scene.kind_begin[k + 1];
   for (std::uint32_t i = scene.kind_begin[k]; i < end; ++i) {
     test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
   }

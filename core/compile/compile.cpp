@@ -63,6 +63,8 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.kind_begin[k] = static_cast<std::uint32_t>(std::lower_bound(g.kind.begin(), surfaces_end, k) -
                                                  g.kind.begin());
   }
+  for (unsigned k = 0; k < kPrimitiveKinds; ++k)
+    v.occluders_end[k] = v.kind_begin[k + 1] - g.walls[k];
   const auto of_kind = [&v](PrimitiveKind kind) {
     const auto k = static_cast<unsigned>(kind);
     return v.kind_begin[k + 1] - v.kind_begin[k];

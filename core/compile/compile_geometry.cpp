@@ -9,6 +9,7 @@
 #include "core/compile/columns.h"
 #include "core/compile/compile_mesh.h"
 #include "core/compile/shape_rows.h"
+#include "core/compile/walls.h"
 #include "core/scene/transform.h"
 
 namespace lightbench {
@@ -50,7 +51,7 @@ BvhBox padded_box(const Bounds& b, double padding) {
 struct Candidate {
   int object;
   PrimitiveKind kind;
-  bool surface;
+  bool surface, wall;
 };
 
 template <class T>
@@ -99,8 +100,10 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     part->mesh_views[i] = mesh_view(m);
   }
 
+  std::vector<bool> walls(scene.objects.size());
+  if (scene.objects.size() < kTinyScene) walls = find_walls(scene, roles, meshes);
   // Surfaces first, then boundaries; within each by kind, so that the loop over a tiny scene
-  // branches predictably.
+  // branches predictably; and walls last, where shadow rays stop.
   std::vector<Candidate> candidates;
   std::vector<ShapeRow> shape_rows(scene.objects.size());
   std::vector<glm::dmat4> to_render(scene.objects.size());
@@ -113,13 +116,14 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     if (std::holds_alternative<MeshShape>(o.shape)) shape_rows[i].kind = PrimitiveKind::Mesh;
     for (const bool surface : {true, false}) {
       if ((roles[i] & (surface ? 1 : 2)) != 0) {
-        candidates.push_back({static_cast<int>(i), shape_rows[i].kind, surface});
+        candidates.push_back({static_cast<int>(i), shape_rows[i].kind, surface, walls[i]});
       }
     }
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
-                     return a.surface != b.surface ? a.surface : a.kind < b.kind;
+                     if (a.surface != b.surface) return a.surface;
+                     return a.kind != b.kind ? a.kind < b.kind : a.wall < b.wall;
                    });
 
   const double eps = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
@@ -149,6 +153,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
         static_cast<T>(ulp * (c.kind == PrimitiveKind::Mesh ? kMeshUlps : kShapeUlps)));
     if (!c.surface) continue;
     part->surface_of_object[i] = part->surface_count++;
+    if (c.wall) ++part->walls[static_cast<std::size_t>(c.kind)];
     has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
     const auto at = [&](double time) {
       return padded_box(

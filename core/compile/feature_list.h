@@ -13,10 +13,14 @@ std::vector<FeatureUse> feature_list(const SceneView<T>& view) {
   const auto use = [&](const char* name, Feature feature, const char* note) {
     return FeatureUse{name, has(view, feature), note};
   };
+  std::uint32_t walls = 0;
+  for (unsigned k = 0; k < kPrimitiveKinds; ++k)
+    walls += has(view, Feature::Tree) ? 0 : view.kind_begin[k + 1] - view.occluders_end[k];
   return {
       use("bvh", Feature::Tree,
           has(view, Feature::Tree) ? "eight-wide tree over the objects"
                                    : "tiny scene: every primitive is tested"),
+      {"walls", walls > 0, "surfaces on the scene's hull, which no shadow ray is tested against"},
       use("refined hits", Feature::RefinedHits,
           "closest approach of far rays to small round shapes"),
       use("triangles", Feature::Triangles, "refined distance and barycentrics of their hits"),

@@ -34,6 +34,7 @@ struct GeometryPart {
   std::shared_ptr<const SceneReach> reach;
   RenderSpace space;
   std::uint32_t surface_count = 0;
+  std::uint32_t walls[kPrimitiveKinds] = {};  ///< the last of each kind (walls.h)
   bool moving = false;
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;

@@ -108,6 +108,9 @@ struct SceneView {
   const std::uint32_t* kind = nullptr;
   /// Surfaces are sorted by kind: those of kind k are [kind_begin[k], kind_begin[k + 1]).
   std::uint32_t kind_begin[kPrimitiveKinds + 1] = {};
+  /// Where those of kind k end that shadow rays can meet: walls of the scene's hull come last
+  /// (core/compile/walls.h). Only the loop over a tiny scene knows.
+  std::uint32_t occluders_end[kPrimitiveKinds] = {};
   const std::uint32_t* row = nullptr;  ///< offset of the primitive's numbers in `rows`
   const T* rows = nullptr;
   /// By kind, surfaces only, from the first of its primitives on; null where they are too many.
@@ -184,5 +187,12 @@ struct SceneView {
   bool has_environment = false;  ///< not black
   bool has_emission = false;
 };
+
+/// For rays that may start anywhere, also outside of the scene's walls.
+template <class T>
+SceneView<T> with_all_occluders(SceneView<T> scene) {
+  for (unsigned k = 0; k < kPrimitiveKinds; ++k) scene.occluders_end[k] = scene.kind_begin[k + 1];
+  return scene;
+}
 
 }  // namespace lightbench
