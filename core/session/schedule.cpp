@@ -12,6 +12,7 @@ constexpr int kLookLongAxis = 128;
 constexpr int kFinestLook = 3;  // at 2 it would cost a quarter of the full pass
 constexpr double kPassSeconds = 1.0;
 constexpr double kCallSeconds = 0.004;
+constexpr double kCallOverhead = 24;  // of a call to render(), in samples
 // Before anything is measured: slow enough that a slow scene does not block the first picture.
 constexpr double kAssumedSpeed = 2e5;
 constexpr std::int64_t kMaxSpp = std::numeric_limits<std::uint32_t>::max();
@@ -110,11 +111,15 @@ Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads
   const double per_call =
       std::max(64.0, (speed > 0 ? speed : kAssumedSpeed) / threads * call_seconds);
   Tiling tiling{uneven ? 16 : 64, 1};
-  const auto tile_count = [&](int edge) {
-    return static_cast<std::int64_t>(round_up_divide(width, edge)) * round_up_divide(height, edge);
+  // Share of the pass that is lost: by lanes that run empty as calls end, and by threads that wait
+  // for the last tile.
+  const auto loss = [&](int edge) {
+    const double pixels = edge * edge;
+    return kCallOverhead / std::min(pixels * sample_count, per_call) +
+           0.5 * threads * pixels / (static_cast<double>(width) * height);
   };
-  while (tiling.edge > 8 && (tiling.edge * tiling.edge > per_call ||
-                             tile_count(tiling.edge) < std::int64_t{8} * threads)) {
+  while (tiling.edge > 8 &&
+         (tiling.edge * tiling.edge > per_call || loss(tiling.edge / 2) < loss(tiling.edge))) {
     tiling.edge /= 2;
   }
   const double samples = std::floor(per_call / (tiling.edge * tiling.edge));

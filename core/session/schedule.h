@@ -64,8 +64,9 @@ struct Tiling {
   bool operator==(const Tiling&) const = default;
 };
 
-/// Calls of about 4 ms on one of `threads` threads, so that a cancel is noticed soon while starting
-/// and draining a call stays cheap; tiles small enough that threads end together.
+/// Calls of at most about 4 ms on one of `threads` threads, so that a cancel is noticed soon. Tiles
+/// of the size that loses least: small ones let threads end together, large ones make few calls,
+/// each of which ends with lanes that run empty.
 /// If pixels have different counts (`uneven`), the tiles are smaller still, and calls four times as
 /// short: the busiest tile has many times the samples of the others.
 Tiling plan_tiles(int width, int height, std::uint32_t sample_count, int threads, double speed,

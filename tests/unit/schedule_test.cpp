@@ -157,7 +157,12 @@ TEST(Schedule, RemainingIsTheNearerOfTargetAndTimeLimit) {
 TEST(Schedule, TilesKeepCallsShortAndThreadsBusy) {
   const Tiling fast = plan_tiles(1280, 720, 1, 2, 4e6);
   EXPECT_EQ(fast, (Tiling{64, 1}));
-  EXPECT_EQ(plan_tiles(600, 600, 256, 1, 16e6).samples, 15U);
+  // Few samples call for large tiles, many for small ones.
+  EXPECT_EQ(plan_tiles(300, 300, 1, 2, 7e6), (Tiling{32, 1}));
+  EXPECT_EQ(plan_tiles(300, 300, 16, 2, 7e6), (Tiling{16, 16}));
+  EXPECT_EQ(plan_tiles(600, 600, 1, 2, 7e6), (Tiling{64, 1}));
+  EXPECT_EQ(plan_tiles(600, 600, 28, 2, 7e6), (Tiling{16, 28}));
+  EXPECT_EQ(plan_tiles(600, 600, 256, 1, 16e6), (Tiling{16, 250}));
   for (const double speed : {0.0, 1e4, 1e6, 1e8}) {
     for (const int threads : {1, 2, 64}) {
       for (const std::uint32_t samples : {1U, 7U, 1000U}) {
