@@ -65,10 +65,10 @@ inline void splat(const SceneView<T>& scene, const Paths& paths, Mask done, cons
   for (std::uint32_t m = bits(done && !kept); m != 0; m &= m - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(m));
     const auto width = static_cast<std::uint32_t>(film.width);
-    counters.drop({static_cast<int>(pixels[lane] % width) * work.stride + scene.camera.crop_x,
-                   static_cast<int>(pixels[lane] / width) * work.stride + scene.camera.crop_y,
-                   samples[lane]},
-                  fault_of(rgb[0][lane], rgb[1][lane], rgb[2][lane]));
+    counters.drop(
+        {static_cast<int>(pixels[lane] % width) * work.stride + scene.camera.crop_x,
+         static_cast<int>(pixels[lane] / width) * work.stride + scene.camera.crop_y, samples[lane]},
+        fault_of(rgb[0][lane], rgb[1][lane], rgb[2][lane]));
   }
 }
 

@@ -19,8 +19,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/scene/texels.h"
 #include "core/scene/mesh.h"
+#include "core/scene/texels.h"
 
 namespace lightbench {
 

@@ -19,6 +19,7 @@ struct Texels {
   std::vector<std::uint32_t> packed;  ///< numbers of red (low byte), green and blue, or empty
   std::vector<float> values;          ///< of the numbers, 256; empty if `rgb` holds the image
 
+  bool operator==(const Texels&) const = default;
   [[nodiscard]] std::size_t count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }

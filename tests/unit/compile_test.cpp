@@ -19,12 +19,9 @@ std::shared_ptr<const Mesh> tetrahedron(double size) {
   return mesh;
 }
 
-std::shared_ptr<const Image> picture(float value) {
-  auto image = std::make_shared<Image>();
-  image->width = 2;
-  image->height = 2;
-  image->rgb = {value, 0, 0, 0, value, 0, 0, 0, value, value, value, value};
-  return image;
+std::shared_ptr<const Texels> picture(float value) {
+  return std::make_shared<Texels>(
+      make_texels({2, 2, {value, 0, 0, 0, value, 0, 0, 0, value, value, value, value}}));
 }
 
 /// A little of everything.
@@ -271,6 +268,7 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
   };
   const std::vector<Case> cases{
       {"bvh", [](S s) { s.objects.resize(100, s.objects[0]); }},
+      {"walls", [](S s) { s.objects[0].shape = RectangleShape{}; }},
       {"motion",
        [](S s) {
          s.objects[0].shape = SphereShape{{0, 0, 0}, 1, {1, 0, 0}};

@@ -173,8 +173,8 @@ TEST(ImageFile, TexturesAreFiniteAndNotNegative) {
                     {std::numeric_limits<float>::quiet_NaN(), -1, 0.5F,
                      std::numeric_limits<float>::infinity(), 7, 1e30F}};
   write_image(folder / "a.pfm", image, {});
-  EXPECT_EQ(load_image(folder / "a.pfm", true)->rgb,
-            (std::vector<float>{0, 0, 0.5F, 1e12F, 7, 1e12F}));
+  EXPECT_EQ(*load_image(folder / "a.pfm", true),
+            make_texels({2, 1, {0, 0, 0.5F, 1e12F, 7, 1e12F}}));
 }
 
 TEST(ImageFile, NamesAreCheckedBeforeALongRender) {

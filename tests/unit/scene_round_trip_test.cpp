@@ -152,11 +152,11 @@ void expect_equal(const Scene& expected, Scene actual) {
     EXPECT_EQ(*actual.meshes[i].data, *expected.meshes[i].data);
     actual.meshes[i].data = expected.meshes[i].data;
   }
-  const auto same_image = [](std::shared_ptr<const Image>& image,
-                             const std::shared_ptr<const Image>& wanted) {
+  const auto same_image = [](std::shared_ptr<const Texels>& image,
+                             const std::shared_ptr<const Texels>& wanted) {
     ASSERT_EQ(image == nullptr, wanted == nullptr);
     if (image != nullptr) {
-      EXPECT_EQ(image->rgb, wanted->rgb);
+      EXPECT_EQ(*image, *wanted);
     }
     image = wanted;
   };
