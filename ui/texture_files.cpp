@@ -9,23 +9,23 @@ namespace lightbench::ui {
 
 void load_texture_image(Workbench& bench, const std::string& texture, const std::string& file,
                         bool srgb) {
-  load_image_later(bench, file, srgb,
-                   [&bench, texture, file, srgb](Scene& scene, std::shared_ptr<const Texels> image) {
-                     std::string name = texture;
-                     if (name.empty()) {
-                       bench.editor.selection = add_texture(scene, TextureKind::Image);
-                       name = item_name(scene, bench.editor.selection);
-                     }
-                     // By name: the list may have changed while the file was read.
-                     const auto target =
-                         std::find_if(scene.textures.begin(), scene.textures.end(),
-                                      [&](const Texture& t) { return t.name == name; });
-                     if (target == scene.textures.end()) return;
-                     target->kind = TextureKind::Image;
-                     target->file = file;
-                     target->srgb = srgb;
-                     target->image = std::move(image);
-                   });
+  load_image_later(
+      bench, file, srgb,
+      [&bench, texture, file, srgb](Scene& scene, std::shared_ptr<const Texels> image) {
+        std::string name = texture;
+        if (name.empty()) {
+          bench.editor.selection = add_texture(scene, TextureKind::Image);
+          name = item_name(scene, bench.editor.selection);
+        }
+        // By name: the list may have changed while the file was read.
+        const auto target = std::find_if(scene.textures.begin(), scene.textures.end(),
+                                         [&](const Texture& t) { return t.name == name; });
+        if (target == scene.textures.end()) return;
+        target->kind = TextureKind::Image;
+        target->file = file;
+        target->srgb = srgb;
+        target->image = std::move(image);
+      });
 }
 
 void ask_for_texture_image(Workbench& bench, const std::string& texture) {

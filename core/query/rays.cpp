@@ -88,7 +88,9 @@ void occluded(const RenderScene& scene, std::span<const Ray> rays,
   with_kernel(scene, [&](const auto& kernel, const auto& parts) {
     ask_in_parts<KernelRay, std::uint8_t>(
         rays, [&](const Ray& ray) { return to_kernel(parts, ray); },
-        [&](auto in, auto out) { kernel.queries->occluded(with_all_occluders(parts.view), in, out); },
+        [&](auto in, auto out) {
+          kernel.queries->occluded(with_all_occluders(parts.view), in, out);
+        },
         [&](std::size_t i, std::uint8_t answer) { blocked[i] = answer; });
   });
 }
