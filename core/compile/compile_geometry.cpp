@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -174,6 +175,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
   if (part->surface_count >= kTinyScene || has_mesh) {
     if (!part->moving) boxes_end.clear();
     part->tree = build_bvh(boxes, boxes_end, BvhLeaf::Items);
+    std::fill(std::begin(part->walls), std::end(part->walls), 0U);  // the tree knows none
   }
   return part;
 }

@@ -15,7 +15,7 @@ std::vector<FeatureUse> feature_list(const SceneView<T>& view) {
   };
   std::uint32_t walls = 0;
   for (unsigned k = 0; k < kPrimitiveKinds; ++k)
-    walls += has(view, Feature::Tree) ? 0 : view.kind_begin[k + 1] - view.occluders_end[k];
+    walls += view.kind_begin[k + 1] - view.occluders_end[k];
   return {
       use("bvh", Feature::Tree,
           has(view, Feature::Tree) ? "eight-wide tree over the objects"

@@ -44,8 +44,10 @@ class Palette {
 Texels make_texels(Image image) {
   Texels texels{image.width, image.height, {}, {}, {}};
   Palette palette;
-  texels.packed.resize(texels.count());
-  for (std::size_t i = 0; i < texels.packed.size(); ++i) {
+  // Reserved, not filled: an image of more values is found out after the first few.
+  texels.packed.reserve(texels.count());
+  for (std::size_t i = 0; i < texels.count(); ++i) {
+    std::uint32_t numbers = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t number = palette.number(image.rgb[3 * i + k]);
       if (number == Palette::kFull) {
@@ -53,8 +55,9 @@ Texels make_texels(Image image) {
         texels.rgb = std::move(image.rgb);
         return texels;
       }
-      texels.packed[i] |= number << (8 * k);
+      numbers |= number << (8 * k);
     }
+    texels.packed.push_back(numbers);
   }
   texels.values = palette.values();
   return texels;

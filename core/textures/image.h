@@ -40,12 +40,8 @@ inline T texel(const ImageView& image, std::uint32_t i, unsigned k) {
   const Real width(static_cast<T>(image.width)), height(static_cast<T>(image.height));
   const Real x = tame(u) * width - Real(T(0.5));
   const Real y = (Real(1) - tame(v)) * height - Real(T(0.5));
-  Real left = floor(x), top = floor(y);
+  const Real left = floor(x), top = floor(y);
   const Real fx = x - left, fy = y - top;
-  if (wrap == wrap_mode::kClamp) {
-    left = clamp(left, Real(-1), width);
-    top = clamp(top, Real(-1), height);
-  }
   const Int width_in_texels(static_cast<std::uint32_t>(image.width));
   const Int columns[2] = {to_int(wrap_texel(left, width, wrap)),
                           to_int(wrap_texel(left + Real(1), width, wrap))};
