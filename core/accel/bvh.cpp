@@ -14,12 +14,27 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
+constexpr BvhBox kNowhere = {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
+
 void grow(BvhBox& a, const BvhBox& b) {
   for (int k = 0; k < 3; ++k) {
     a.lo[k] = std::min(a.lo[k], b.lo[k]);
     a.hi[k] = std::max(a.hi[k], b.hi[k]);
   }
 }
+
+/// No child of it is met by a ray.
+BvhNode unused_node() {
+  BvhNode node{};
+  for (int a = 0; a < 3; ++a) {
+    std::fill(std::begin(node.lo[a]), std::end(node.lo[a]), kInf);
+    std::fill(std::begin(node.hi[a]), std::end(node.hi[a]), -kInf);
+  }
+  return node;
+}
+
+/// True if slot `slot` of the node holds a child; whatever its bounds, which may not be set yet.
+bool is_used(const BvhNode& node, std::size_t slot) { return node.child[slot] != 0; }
 
 /// Which binary nodes become wide ones and which are opened into their parents' slots: the choice
 /// of least expected cost, found from the leaves up (the recurrence of Ylitie, Karras, Laine, HPG
@@ -99,52 +114,19 @@ class Collapse {
   std::vector<Slots> left_slots_;
 };
 
-/// Writes the wide tree.
+/// Writes the wide tree, but for the bounds.
 class Writer {
  public:
-  Writer(const BinaryTree& tree, const Collapse& collapse, std::span<const BvhBox> start,
-         std::span<const BvhBox> end, BvhLeaf leaf)
-      : tree_(tree), collapse_(collapse), leaf_(leaf), moving_(!end.empty()) {
-    if (moving_) {
-      measure(start, start_);
-      measure(end, end_);
-    }
-  }
+  Writer(const BinaryTree& tree, const Collapse& collapse, BvhLeaf leaf)
+      : tree_(tree), collapse_(collapse), leaf_(leaf) {}
 
   Bvh write() {
-    add_node();
+    result_.nodes.push_back(unused_node());
     fill(0, 0);
     return std::move(result_);
   }
 
  private:
-  /// Bounds of each binary node by those of its items.
-  void measure(std::span<const BvhBox> boxes, std::vector<BvhBox>& of_node) const {
-    of_node.assign(tree_.nodes.size(), {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}});
-    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
-      const BinaryNode& n = tree_.nodes[i];
-      if (n.is_leaf()) {
-        for (std::uint32_t k = n.first; k < n.first + n.count; ++k) {
-          grow(of_node[i], boxes[tree_.items[k]]);
-        }
-      } else {
-        grow(of_node[i], of_node[static_cast<std::size_t>(n.left)]);
-        grow(of_node[i], of_node[static_cast<std::size_t>(n.right)]);
-      }
-    }
-  }
-
-  std::uint32_t add_node() {
-    BvhNode node{};
-    for (int a = 0; a < 3; ++a) {
-      std::fill(std::begin(node.lo[a]), std::end(node.lo[a]), kInf);
-      std::fill(std::begin(node.hi[a]), std::end(node.hi[a]), -kInf);
-    }
-    result_.nodes.push_back(node);
-    if (moving_) result_.motion.push_back({});
-    return static_cast<std::uint32_t>(result_.nodes.size() - 1);
-  }
-
   std::uint32_t make_leaf(const BinaryNode& n) {
     const bool blocks = leaf_ == BvhLeaf::Blocks;
     const std::size_t first = result_.items.size() / (blocks ? kBvhWidth : 1);
@@ -161,36 +143,20 @@ class Writer {
     return BvhNode::kLeaf | (blocks ? 1 : n.count) << 24 | static_cast<std::uint32_t>(first);
   }
 
-  void put_box(std::size_t at, std::size_t slot, std::size_t binary) {
-    BvhNode& target = result_.nodes[at];
-    const BvhBox& start = moving_ ? start_[binary] : tree_.nodes[binary].box;
-    for (int a = 0; a < 3; ++a) {
-      target.lo[a][slot] = start.lo[a];
-      target.hi[a][slot] = start.hi[a];
-      if (!moving_) continue;
-      const BvhBox& end = end_[binary];
-      // lo + time * (end - start), evaluated in float: one ulp of the larger end covers the
-      // rounding.
-      const float slack = 4e-7F * std::max(std::max(std::fabs(start.lo[a]), std::fabs(start.hi[a])),
-                                           std::max(std::fabs(end.lo[a]), std::fabs(end.hi[a])));
-      target.lo[a][slot] -= slack;
-      target.hi[a][slot] += slack;
-      result_.motion[at].lo[a][slot] = end.lo[a] - start.lo[a];
-      result_.motion[at].hi[a][slot] = end.hi[a] - start.hi[a];
-    }
-  }
-
   /// Fills wide node `at` from binary node `root`, then its children.
   void fill(int root, std::size_t at) {
     const Collapse::Children children = collapse_.children(root);
     std::array<std::uint32_t, kBvhWidth> wide{};
     for (int i = 0; i < children.count; ++i) {
       const auto slot = static_cast<std::size_t>(i);
-      const auto binary = static_cast<std::size_t>(children.node[slot]);
-      put_box(at, slot, binary);
-      const BinaryNode& n = tree_.nodes[binary];
-      wide[slot] = n.is_leaf() ? 0 : add_node();
-      result_.nodes[at].child[slot] = n.is_leaf() ? make_leaf(n) : wide[slot];
+      const BinaryNode& n = tree_.nodes[static_cast<std::size_t>(children.node[slot])];
+      if (n.is_leaf()) {
+        result_.nodes[at].child[slot] = make_leaf(n);
+        continue;
+      }
+      wide[slot] = static_cast<std::uint32_t>(result_.nodes.size());
+      result_.nodes[at].child[slot] = wide[slot];
+      result_.nodes.push_back(unused_node());
     }
     for (int i = 0; i < children.count; ++i) {
       const auto slot = static_cast<std::size_t>(i);
@@ -201,10 +167,32 @@ class Writer {
   const BinaryTree& tree_;
   const Collapse& collapse_;
   BvhLeaf leaf_;
-  bool moving_;
-  std::vector<BvhBox> start_, end_;  ///< of each binary node, if anything moves
   Bvh result_;
 };
+
+/// Bounds of a child over the shutter: they move from `start` to `end`.
+void put_moving_box(BvhNode& node, BvhMotion& motion, std::size_t slot, const BvhBox& start,
+                    const BvhBox& end) {
+  for (int a = 0; a < 3; ++a) {
+    // lo + time * (end - start), evaluated in float: one ulp of the larger end covers the rounding.
+    const float slack = 4e-7F * std::max(std::max(std::fabs(start.lo[a]), std::fabs(start.hi[a])),
+                                         std::max(std::fabs(end.lo[a]), std::fabs(end.hi[a])));
+    node.lo[a][slot] = start.lo[a] - slack;
+    node.hi[a][slot] = start.hi[a] + slack;
+    motion.lo[a][slot] = end.lo[a] - start.lo[a];
+    motion.hi[a][slot] = end.hi[a] - start.hi[a];
+  }
+}
+
+/// What contains the boxes of a leaf.
+BvhBox leaf_box(const Bvh& bvh, std::uint32_t child, std::span<const BvhBox> boxes, BvhLeaf leaf) {
+  const std::size_t width = leaf == BvhLeaf::Blocks ? kBvhWidth : 1;
+  BvhBox box = kNowhere;
+  const std::size_t first = leaf_first(child) * width, end = first + leaf_count(child) * width;
+  for (std::size_t i = first; i < end && bvh.items[i] != Bvh::kPadding; ++i)
+    grow(box, boxes[bvh.items[i]]);
+  return box;
+}
 
 }  // namespace
 
@@ -222,11 +210,7 @@ Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, 
               Team& team) {
   if (boxes.empty()) {
     Bvh empty;
-    empty.nodes.push_back({});
-    for (int a = 0; a < 3; ++a) {
-      std::fill(std::begin(empty.nodes[0].lo[a]), std::end(empty.nodes[0].lo[a]), kInf);
-      std::fill(std::begin(empty.nodes[0].hi[a]), std::end(empty.nodes[0].hi[a]), -kInf);
-    }
+    empty.nodes.push_back(unused_node());
     if (!boxes_end.empty()) empty.motion.push_back({});
     return empty;
   }
@@ -237,13 +221,62 @@ Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, 
   }
   const BinaryTree tree =
       build_binary_tree(boxes_end.empty() ? boxes : std::span<const BvhBox>(whole), leaf, team);
-  const Collapse collapse(tree, leaf);
-  return Writer(tree, collapse, boxes, boxes_end, leaf).write();
+  Bvh bvh = Writer(tree, Collapse(tree, leaf), leaf).write();
+  refit_bvh(bvh, boxes, boxes_end, leaf);
+  return bvh;
 }
 
 Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf) {
   Team alone(1);
   return build_bvh(boxes, boxes_end, leaf, alone);
+}
+
+void refit_bvh(Bvh& bvh, std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end,
+               BvhLeaf leaf) {
+  const bool moving = !boxes_end.empty();
+  bvh.motion.resize(moving ? bvh.nodes.size() : 0);
+  std::vector<BvhBox> start(bvh.nodes.size(), kNowhere), end(bvh.motion.size(), kNowhere);
+  for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
+    BvhNode& node = bvh.nodes[i];
+    for (std::size_t slot = 0; slot < kBvhWidth && is_used(node, slot); ++slot) {
+      const std::uint32_t child = node.child[slot];
+      const BvhBox box = is_leaf(child) ? leaf_box(bvh, child, boxes, leaf) : start[child];
+      grow(start[i], box);
+      if (moving) {
+        const BvhBox after = is_leaf(child) ? leaf_box(bvh, child, boxes_end, leaf) : end[child];
+        grow(end[i], after);
+        put_moving_box(node, bvh.motion[i], slot, box, after);
+        continue;
+      }
+      for (int a = 0; a < 3; ++a) {
+        node.lo[a][slot] = box.lo[a];
+        node.hi[a][slot] = box.hi[a];
+      }
+    }
+  }
+}
+
+float expected_cost(const Bvh& bvh, BvhLeaf leaf) {
+  BvhBox root = kNowhere;
+  double cost = 0;
+  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+    const BvhNode& node = bvh.nodes[i];
+    for (std::size_t slot = 0; slot < kBvhWidth && is_used(node, slot); ++slot) {
+      BvhBox box{};
+      for (int a = 0; a < 3; ++a) {
+        const float lo = bvh.motion.empty() ? 0 : bvh.motion[i].lo[a][slot];
+        const float hi = bvh.motion.empty() ? 0 : bvh.motion[i].hi[a][slot];
+        box.lo[a] = node.lo[a][slot] + std::min(lo, 0.F);
+        box.hi[a] = node.hi[a][slot] + std::max(hi, 0.F);
+      }
+      if (i == 0) grow(root, box);
+      const std::uint32_t child = node.child[slot];
+      const double area = half_area(box);
+      cost += area * (is_leaf(child) ? double{leaf_cost(leaf, leaf_count(child))} : 1);
+    }
+  }
+  const double of_root = half_area(root);
+  return of_root > 0 ? static_cast<float>(1 + cost / of_root) : 0;
 }
 
 }  // namespace lightbench

@@ -23,7 +23,8 @@ BvhBox outward_box(const double (&lo)[3], const double (&hi)[3]);
 enum class BvhLeaf { Items, Blocks };
 
 /// `items` lists the boxes' indices in leaf order. With BvhLeaf::Blocks every leaf is one block of
-/// eight entries, padded with kPadding, and a leaf's `first` is its block number.
+/// eight entries, padded with kPadding, and a leaf's `first` is its block number. Children come
+/// after their parents.
 struct Bvh {
   static constexpr std::uint32_t kPadding = 0xffffffffU;
   std::vector<BvhNode> nodes;
@@ -38,5 +39,15 @@ Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, 
               Team& team);
 /// On this thread alone.
 Bvh build_bvh(std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end, BvhLeaf leaf);
+
+/// Nodes that a ray through the root's box is expected to visit, and tests it is expected to make
+/// in leaves (surface area heuristic), over the whole shutter. 0 if that box has no surface.
+float expected_cost(const Bvh& bvh, BvhLeaf leaf);
+
+/// Fits the bounds to boxes that have moved or changed, as many as the tree was built of. Which
+/// boxes share a node stays as it was, so the farther they move, the more a ray has to visit;
+/// expected_cost() says how much.
+void refit_bvh(Bvh& bvh, std::span<const BvhBox> boxes, std::span<const BvhBox> boxes_end,
+               BvhLeaf leaf);
 
 }  // namespace lightbench

@@ -11,6 +11,7 @@
 #include "core/compile/compile_mesh.h"
 #include "core/compile/shape_rows.h"
 #include "core/compile/walls.h"
+#include "core/parallel.h"
 #include "core/scene/transform.h"
 
 namespace lightbench {
@@ -67,6 +68,28 @@ void add_mesh_row(GeometryPart<T>& part, const MeshPart<T>& mesh, const glm::dma
   append_affine(row, map);
   for (const double x : row) part.rows.push_back(static_cast<T>(x));
   part.rows.push_back(static_cast<T>(index));
+}
+
+/// From this many surfaces on, an edit keeps the tree's shape, if that still serves, and several
+/// threads build a new one. Fewer are sorted anew in a few milliseconds.
+constexpr std::size_t kManySurfaces = 8192;
+/// How much dearer than when it was built a tree may get by edits.
+constexpr float kRefitLoss = 1.05F;
+
+/// The tree over the surfaces of `part`: the previous one fitted to them, or a new one.
+template <class T>
+void find_tree(const GeometryPart<T>* previous, const std::vector<BvhBox>& boxes,
+               const std::vector<BvhBox>& boxes_end, GeometryPart<T>& part) {
+  const bool many = boxes.size() >= kManySurfaces;
+  if (many && previous != nullptr && previous->tree.items.size() == boxes.size()) {
+    part.tree = previous->tree;
+    part.built_cost = previous->built_cost;
+    refit_bvh(part.tree, boxes, boxes_end, BvhLeaf::Items);
+    if (expected_cost(part.tree, BvhLeaf::Items) <= kRefitLoss * part.built_cost) return;
+  }
+  Team team(many ? 0 : 1);
+  part.tree = build_bvh(boxes, boxes_end, BvhLeaf::Items, team);
+  part.built_cost = expected_cost(part.tree, BvhLeaf::Items);
 }
 
 }  // namespace
@@ -156,15 +179,16 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     part->surface_of_object[i] = part->surface_count++;
     if (c.wall) ++part->walls[static_cast<std::size_t>(c.kind)];
     has_mesh = has_mesh || c.kind == PrimitiveKind::Mesh;
+    const auto* sphere = std::get_if<SphereShape>(&o.shape);
+    const bool moves = sphere != nullptr && sphere->motion != glm::dvec3(0) &&
+                       reach->shutter_close > reach->shutter_open;
+    part->moving = part->moving || moves;
     const auto at = [&](double time) {
       return padded_box(
           render_bounds(space, object_bounds(o, shutter_at(scene.camera, time), meshes)), 4 * ulp);
     };
-    boxes.push_back(at(reach->shutter_open));
-    boxes_end.push_back(at(reach->shutter_close));
-    const auto* sphere = std::get_if<SphereShape>(&o.shape);
-    part->moving = part->moving || (sphere != nullptr && sphere->motion != glm::dvec3(0) &&
-                                    reach->shutter_close > reach->shutter_open);
+    boxes.push_back(moves ? at(reach->shutter_open) : padded_box(box, 4 * ulp));
+    boxes_end.push_back(moves ? at(reach->shutter_close) : boxes.back());
   }
   for (std::size_t begin = 0, end = 0; begin < part->surface_count; begin = end) {
     while (end < part->surface_count && part->kind[end] == part->kind[begin]) ++end;
@@ -174,7 +198,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
   }
   if (part->surface_count >= kTinyScene || has_mesh) {
     if (!part->moving) boxes_end.clear();
-    part->tree = build_bvh(boxes, boxes_end, BvhLeaf::Items);
+    find_tree(previous, boxes, boxes_end, *part);
     std::fill(std::begin(part->walls), std::end(part->walls), 0U);  // the tree knows none
   }
   return part;

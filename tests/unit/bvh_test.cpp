@@ -220,6 +220,60 @@ TEST(Bvh, FillsNodesAndBlocks) {
   EXPECT_GT(static_cast<double>(boxes.size()) / static_cast<double>(bvh.items.size()), 0.8);
 }
 
+TEST(Bvh, IsFittedToBoxesThatMove) {
+  for (const BvhLeaf leaf : {BvhLeaf::Items, BvhLeaf::Blocks}) {
+    for (const std::size_t n : {1U, 9U, 3000U}) {
+      SCOPED_TRACE(n);
+      const auto before = random_boxes(n, 20), after = random_boxes(n, 21, 30, 2);
+      const auto later = random_boxes(n, 22);
+      const Bvh built = build_bvh(before, {}, leaf);
+      Bvh bvh = built;
+      refit_bvh(bvh, after, {}, leaf);
+      Walk(bvh, after, {}, leaf).run();
+      refit_bvh(bvh, after, later, leaf);  // sets out to move within the shutter
+      Walk(bvh, after, later, leaf).run();
+      refit_bvh(bvh, before, {}, leaf);
+      EXPECT_TRUE(same_tree(bvh, built));
+    }
+  }
+}
+
+TEST(Bvh, CostsWhatTheSurfaceAreaHeuristicSays) {
+  // Eight cubes in a row, 1 apart: one node.
+  std::vector<BvhBox> boxes;
+  for (int i = 0; i < 8; ++i) {
+    const auto x = static_cast<float>(2 * i);
+    boxes.push_back({{x, 0, 0}, {x + 1, 1, 1}});
+  }
+  const Bvh bvh = build_bvh(boxes, {}, BvhLeaf::Items);
+  ASSERT_EQ(bvh.nodes.size(), 1U);
+  // The root, and each item by the share of the whole box's surface (1 x 1 x 15: 31) that its own
+  // has (3); both in halves.
+  EXPECT_FLOAT_EQ(expected_cost(bvh, BvhLeaf::Items), 1 + 8 * 3.F / 31);
+}
+
+TEST(Bvh, CostsMoreTheFartherItsBoxesMoved) {
+  const auto boxes = random_boxes(3000, 23, 10, 0.2F);
+  Bvh bvh = build_bvh(boxes, {}, BvhLeaf::Items);
+  const float built = expected_cost(bvh, BvhLeaf::Items);
+  float last = built;
+  const auto towards = random_boxes(3000, 24, 10, 0.2F);
+  for (const float share : {0.01F, 0.1F, 1.F}) {
+    auto moved = boxes;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const float d = share * (towards[i].lo[k] - boxes[i].lo[k]);
+        moved[i].lo[k] += d;
+        moved[i].hi[k] += d;
+      }
+    }
+    refit_bvh(bvh, moved, {}, BvhLeaf::Items);
+    EXPECT_GT(expected_cost(bvh, BvhLeaf::Items), last) << share;
+    last = expected_cost(bvh, BvhLeaf::Items);
+  }
+  EXPECT_GT(last, 3 * built);
+}
+
 TEST(Bvh, RoundsBoxesOutward) {
   std::mt19937_64 engine(9);
   std::uniform_real_distribution<double> x(-1e6, 1e6);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "app/proof/measure.h"
+#include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
 #include "core/scene/scene_io.h"
 
@@ -211,6 +212,60 @@ TEST(Compile, AfterAnyEditsIsAsIfAnew) {
           << kernel_name(kernel) << " after " << history;
     }
   }
+}
+
+const GeometryPart<float>& geometry_of(const RenderScene& scene) {
+  return *std::get<KernelParts<float>>(scene.parts->kernel).geometry;
+}
+
+/// Balls in the view of the default camera.
+Scene many_balls() {
+  std::mt19937 engine(12);
+  std::uniform_real_distribution<double> place(-2, 2);
+  Scene s;
+  s.render.width = 32;
+  s.render.height = 18;
+  s.environment.color = glm::dvec3(0.5);
+  s.materials.resize(1);
+  s.objects.resize(10'000);
+  for (Object& o : s.objects) {
+    o.shape = SphereShape{{0, 0, 0}, 0.03};
+    o.transform.translation = {place(engine), place(engine), place(engine)};
+    o.material = 0;
+  }
+  return valid(s);
+}
+
+TEST(Compile, FitsTheTreeOfManySurfacesToAMove) {
+  Scene scene = many_balls();
+  auto compiled = compile(scene, KernelKind::Scalar);
+  const std::vector<std::uint32_t> order = geometry_of(*compiled).tree.items;
+  const float cost = geometry_of(*compiled).built_cost;
+  for (int step = 0; step < 3; ++step) {
+    Scene after = scene;
+    after.objects[5000].transform.translation.x += 0.2;
+    compiled = compile(after, KernelKind::Scalar, compiled.get(), diff(scene, after));
+    scene = after;
+    EXPECT_EQ(geometry_of(*compiled).tree.items, order);
+    EXPECT_EQ(geometry_of(*compiled).built_cost, cost);
+    const auto anew = compile(scene, KernelKind::Scalar);
+    EXPECT_NE(geometry_of(*anew).built_cost, cost);
+    EXPECT_EQ(film_hash(*compiled), film_hash(*anew));
+  }
+}
+
+TEST(Compile, BuildsATreeAnewThatEditsHaveSpoiled) {
+  const Scene scene = many_balls();
+  const auto compiled = compile(scene, KernelKind::Scalar);
+  Scene after = scene;
+  // Neighbours part.
+  for (std::size_t i = 0; i < after.objects.size(); i += 2)
+    after.objects[i].transform.translation *= -1.0;
+  const auto next = compile(after, KernelKind::Scalar, compiled.get(), diff(scene, after));
+  const auto anew = compile(after, KernelKind::Scalar);
+  EXPECT_EQ(geometry_of(*next).tree.items, geometry_of(*anew).tree.items);
+  EXPECT_NE(geometry_of(*next).tree.items, geometry_of(*compiled).tree.items);
+  EXPECT_EQ(film_hash(*next), film_hash(*anew));
 }
 
 TEST(Compile, AnotherKernelTakesNothingOver) {
