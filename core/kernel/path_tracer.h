@@ -53,8 +53,9 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   paths.ray.from = select(v.in_medium, Int(kNoHit), hit.primitive);
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
+  const Sampler::Bits choice = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice));
   if (uses(scene, Feature::Lights) && any(lit))
-    add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
+    add_direct_light(scene, v, frame, dimension_base, choice.x, lit, paths, counters, watch);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
   const Mask wants_lobe =
@@ -120,7 +121,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
     // of a long one without losses (total reflection) would grow without limit.
     const Real survival =
         min(max_component(paths.throughput) * paths.roulette_scale * kRouletteSurvival, Real(1));
-    const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
+    const Real dice = unit_from_bits(choice.y);
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {
       watch.roulette(roulette, survival);

@@ -46,30 +46,42 @@ inline Real solid_angle_about(const SphericalEllipse& e) {
   return T(4) * kPi * e.half_a * e.half_b;
 }
 
-/// Unit direction.
-inline Vec sample_spherical_ellipse(const SphericalEllipse& e, Vec2 u) {
-  const Vec2 k = square_to_disk(u);
-  const Real p = e.half_a * k.x, q = e.half_b * k.y;
-  const Real length2 = fma(p, p, q * q);
-  const Real inverse2 = Real(1) / select(length2 > Real(0), length2, Real(1));
-  const Real g = fma(p * p, e.cot2_a, q * q * e.cot2_b) * inverse2;
-  const Real drop = fma(k.x, k.x, k.y * k.y) * cap_of_rim(g);
-  const Real sine = safe_sqrt(drop * (T(2) - drop)) * sqrt(inverse2);
-  return normalize(madd(e.x, p * sine, madd(e.y, q * sine, e.z * (Real(1) - drop))));
+/// What the cone is like at an azimuth, given by the coordinates (p, q) of a vector across the axis
+/// that is not 0.
+struct Azimuth {
+  Real inverse2;  ///< 1 / the square of that vector's length
+  Real cap;       ///< 1 - cos(theta) of the rim
+  Real pdf;       ///< of all directions there, solid angle
+};
+inline Azimuth azimuth_of(const SphericalEllipse& e, Real p, Real q) {
+  const Real pp = p * p, qq = q * q;
+  const Real inverse2 = Real(1) / (pp + qq);
+  const Real cap = cap_of_rim(fma(pp, e.cot2_a, qq * e.cot2_b) * inverse2);
+  const Real aa = e.half_a * e.half_a, bb = e.half_b * e.half_b;
+  const Real pdf = e.half_a * e.half_b / (fma(pp, bb, qq * aa) * inverse2);
+  return {inverse2, cap, kInvPi * T(0.5) * pdf / cap};
+}
+
+/// A unit direction and its density, from a point k of the unit disk.
+struct EllipseSample {
+  Vec d;
+  Real pdf;
+};
+inline EllipseSample sample_spherical_ellipse(const SphericalEllipse& e, Vec2 k) {
+  const Real kk = fma(k.x, k.x, k.y * k.y);
+  const Real p = select(kk > Real(0), e.half_a * k.x, Real(1)), q = e.half_b * k.y;
+  const Azimuth at = azimuth_of(e, p, q);
+  const Real drop = kk * at.cap;
+  const Real sine = safe_sqrt(drop * (T(2) - drop)) * sqrt(at.inverse2);
+  return {normalize(madd(e.x, p * sine, madd(e.y, q * sine, e.z * (Real(1) - drop)))), at.pdf};
 }
 
 /// Density of unit direction d within the cone.
 inline Real pdf_spherical_ellipse(const SphericalEllipse& e, Vec d) {
-  Real p = dot(d, e.x), q = dot(d, e.y);
+  const Real p = dot(d, e.x), q = dot(d, e.y);
   // Rounding alone chooses the azimuth of directions along the axis.
   constexpr T kAxis = T(64) * kEpsilon;
-  p = select(max(abs(p), abs(q)) < Real(kAxis), Real(1), p);
-  const Real pp = p * p, qq = q * q;
-  const Real inverse2 = Real(1) / (pp + qq);
-  const Real g = fma(pp, e.cot2_a, qq * e.cot2_b) * inverse2;
-  const Real aa = e.half_a * e.half_a, bb = e.half_b * e.half_b;
-  const Real azimuth = e.half_a * e.half_b / (fma(pp, bb, qq * aa) * inverse2);
-  return kInvPi * T(0.5) * azimuth / cap_of_rim(g);
+  return azimuth_of(e, select(max(abs(p), abs(q)) < Real(kAxis), Real(1), p), q).pdf;
 }
 
 /// The circle of unit normal n and the given radius around 0, seen from f, which is

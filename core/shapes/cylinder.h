@@ -199,7 +199,7 @@ inline LightSample sample_cylinder(const Cylinder& c, Vec from, Vec2 u) {
   }
   if (any(part.cap)) {
     const Vec n = c.axis * copysign(Real(1), dot(from - c.middle, c.axis));
-    const Vec d = sample_spherical_ellipse(v.cap, part.u);
+    const Vec d = sample_spherical_ellipse(v.cap, square_to_disk(part.u)).d;
     r = select(part.cap, toward_plane(d, -v.cap_from, n, Real(0)), r);
   }
   // Of the direction as it is rounded, which is what a ray along it computes.
@@ -333,7 +333,7 @@ inline LightSample sample_elliptic_cylinder(const EllipticCylinder& e, Vec from,
   }
   if (any(part.cap)) {
     const Vec n = e.to_local.transposed({Real(0), copysign(Real(1), v.local.y), Real(0)});
-    const Vec d = sample_spherical_ellipse(v.parts.cap, part.u);
+    const Vec d = sample_spherical_ellipse(v.parts.cap, square_to_disk(part.u)).d;
     r = select(part.cap, toward_plane(d, -v.parts.cap_from, normalize(n), Real(0)), r);
   }
   r.pdf = pdf_elliptic_cylinder(v, e, r.d, r.n);

@@ -84,11 +84,11 @@ inline Mask disc_is_far(const Disc& s, Vec f) {
   return d2 > max(length_squared(s.u), length_squared(s.v)) * limit;
 }
 
-/// Nearly uniform over the solid angle. Out of line, as its density is: few points are so near.
-[[gnu::noinline]] inline LightSample sample_near_disc(const Disc& s, Vec f, Vec2 u) {
-  const SphericalEllipse e = view_disc(s, f);
-  const Vec d = sample_spherical_ellipse(e, u);
-  return toward_plane(d, -f, s.n, pdf_spherical_ellipse(e, d));
+/// Nearly uniform over the solid angle, by a point k of the unit disk. Out of line, as its density
+/// is: few points are so near.
+[[gnu::noinline]] inline LightSample sample_near_disc(const Disc& s, Vec f, Vec2 k) {
+  const EllipseSample e = sample_spherical_ellipse(view_disc(s, f), k);
+  return toward_plane(e.d, -f, s.n, e.pdf);
 }
 [[gnu::noinline]] inline Real pdf_near_disc(const Disc& s, Vec f, Vec d) {
   return pdf_spherical_ellipse(view_disc(s, f), d);
@@ -100,7 +100,7 @@ inline LightSample sample_disc(const Disc& s, Vec from, Vec2 u, Mask active = Ma
   const Vec2 k = square_to_disk(u);
   LightSample r = toward_point(madd(s.u, k.x, s.v * k.y) - f, s.n, Real(1) / area_of_disc(s));
   const Mask near = active && !disc_is_far(s, f);
-  if (any(near)) r = select(near, sample_near_disc(s, f, u), r);
+  if (any(near)) r = select(near, sample_near_disc(s, f, k), r);
   return r;
 }
 

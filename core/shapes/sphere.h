@@ -184,8 +184,9 @@ inline LightSample sample_ellipsoid(const Ellipsoid& e, const PrincipalAxes& axe
   const EllipsoidView v = view_ellipsoid(e, axes, from);
   LightSample r{Vec(Real(0)), Vec(Real(0)), Real(0), Real(0), Mask(false)};
   if (any(v.outside)) {
-    r.d = sample_spherical_ellipse(v.cone, u);
-    r.pdf = pdf_spherical_ellipse(v.cone, r.d);
+    const EllipseSample s = sample_spherical_ellipse(v.cone, square_to_disk(u));
+    r.d = s.d;
+    r.pdf = s.pdf;
     // The near root, from the closest approach in the unit sphere's space.
     const Vec d = e.to_local.vector(r.d);
     const Real inverse_dd = Real(1) / length_squared(d);
