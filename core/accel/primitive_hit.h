@@ -108,30 +108,39 @@ template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
   test_shape<kShadow, kKind, kOrder>(scene, Int(i), shape, ray, active, hit);
 }
 
+/// Surfaces [begin, end), all of one kind. Out of line, so that a kind which the scene lacks costs
+/// the one comparison of test_kind().
+template <bool kShadow, PrimitiveKind kKind>
+[[gnu::noinline]] inline void test_run(const SceneView<T>& scene, std::uint32_t begin,
+                                       std::uint32_t end, const Ray& ray, Mask active,
+                                       NearestHit& hit) {
+  for (std::uint32_t i = begin; i < end; ++i)
+    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
+}
+
 /// All surfaces of one kind; for shadow rays, all that can be in the way.
 template <bool kShadow, PrimitiveKind kKind>
-inline void test_run(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+inline void test_kind(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
   constexpr auto k = static_cast<unsigned>(kKind);
+  const std::uint32_t begin = scene.kind_begin[k];
   const std::uint32_t end = kShadow ? scene.occluders_end[k] : scene.kind_begin[k + 1];
-  for (std::uint32_t i = scene.kind_begin[k]; i < end; ++i) {
-    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
-  }
+  if (begin < end) test_run<kShadow, kKind>(scene, begin, end, ray, active, hit);
 }
 
 /// Every surface against all lanes.
 template <bool kShadow>
 void test_all(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
-  test_run<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
   if constexpr (compiled(Feature::Ellipsoids))
-    test_run<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
+    test_kind<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
   if constexpr (compiled(Feature::Ellipsoids))
-    test_run<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Pyramid>(scene, ray, active, hit);
-  test_run<kShadow, PrimitiveKind::Box>(scene, ray, active, hit);
+    test_kind<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Pyramid>(scene, ray, active, hit);
+  test_kind<kShadow, PrimitiveKind::Box>(scene, ray, active, hit);
 }
 
 LIGHTBENCH_KERNEL_END
