@@ -68,10 +68,11 @@ struct EllipseSample {
   Real pdf;
 };
 inline EllipseSample sample_spherical_ellipse(const SphericalEllipse& e, Vec2 k) {
-  const Real kk = fma(k.x, k.x, k.y * k.y);
-  const Real p = select(kk > Real(0), e.half_a * k.x, Real(1)), q = e.half_b * k.y;
+  const Real along = e.half_a * k.x, q = e.half_b * k.y;
+  // On the axis, or so near that the square is 0, any azimuth will do.
+  const Real p = select(fma(along, along, q * q) > Real(0), along, Real(1));
   const Azimuth at = azimuth_of(e, p, q);
-  const Real drop = kk * at.cap;
+  const Real drop = fma(k.x, k.x, k.y * k.y) * at.cap;
   const Real sine = safe_sqrt(drop * (T(2) - drop)) * sqrt(at.inverse2);
   return {normalize(madd(e.x, p * sine, madd(e.y, q * sine, e.z * (Real(1) - drop)))), at.pdf};
 }

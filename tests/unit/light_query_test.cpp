@@ -213,6 +213,37 @@ TEST(LightQueries, SamplesHaveTheDensityThatTheirDirectionIsGiven) {
   }
 }
 
+TEST(LightQueries, TheMiddleOfTheViewHasADensityToo) {
+  Scene ball = disc_lamp({0, 0, 1});
+  ball.objects[0].shape = SphereShape{};
+  ball.objects[0].transform.scale = {1e-3, 5e-4, 7e-4};
+  const std::pair<Scene, dvec3> views[] = {{disc_lamp({0, 0, 1}), {0, 0, 0.5}},
+                                           {disc_lamp({0, 0, 1}), {0.2, 0.1, 0.3}},
+                                           {ball, {3, 2, 4}}};
+  for (const auto& [scene, point] : views) {
+    for (const KernelKind kind : kernels()) {
+      const auto compiled = compile(scene, kind);
+      for (const double off : {0.0, 0x1p-24, 0x1p-23}) {
+        LightQuery query;
+        query.point = point;
+        query.u = 0.5 + off;
+        query.v = 0.5 - off;
+        query.light = 0;
+        LightPoint sample, seen;
+        sample_lights(*compiled, {&query, 1}, {&sample, 1});
+        ASSERT_TRUE(sample.valid) << kernel_name(kind) << " " << off;
+        EXPECT_NEAR(glm::length(sample.direction), 1, 1e-6);
+        const LightDirection direction{point, sample.direction, 0};
+        pdf_lights(*compiled, {&direction, 1}, {&seen, 1});
+        ASSERT_TRUE(seen.valid) << kernel_name(kind) << " " << off;
+        // The azimuth of directions so near the axis is a matter of rounding: within what it
+        // changes.
+        EXPECT_NEAR(seen.pdf / sample.pdf, 1, 0.25) << kernel_name(kind) << " " << off;
+      }
+    }
+  }
+}
+
 TEST(LightQueries, WithoutANameTheNearestSurfaceAnswers) {
   const Scene scene = stored_scene("cornell-three-lights.json");
   const auto compiled = compile(scene, KernelKind::Auto);
