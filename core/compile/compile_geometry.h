@@ -10,7 +10,8 @@ namespace lightbench {
 /// kernels, so that their films agree.
 inline constexpr std::uint32_t kTinyScene = 96;
 
-/// Meshes of `previous` are kept where their data is the same.
+/// Meshes of `previous` are kept where their data is the same, and the shape of its tree where it
+/// still serves.
 template <class T>
 std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
                                                         std::shared_ptr<const SceneReach> reach,

@@ -29,13 +29,13 @@ inline Int trace_leg(const SceneView<T>& scene, const Ray& ray, Real length, Mas
   return select(leg, hit.primitive, Int(kNoHit));
 }
 
-/// One light sample from each vertex of `active`, chosen by 32 random bits, added to the paths'
-/// radiance. Never inlined, like find_hits().
+/// One light sample from each vertex of `active`, added to the paths' radiance. Never inlined, like
+/// find_hits().
 template <class Watch>
 [[gnu::noinline]] inline void add_direct_light(const SceneView<T>& scene, const Vertex& v,
-                                               const Frame& frame, Int dimension_base, Int random,
-                                               Mask active, Paths& paths, Counters& counters,
-                                               Watch& watch) {
+                                               const Frame& frame, Int dimension_base, Mask active,
+                                               Paths& paths, Counters& counters, Watch& watch) {
+  const Int random = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x;
   const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n), paths.ray.time};
   Real scale;
   const LightChoice chosen = choose_light(scene, at, random, active, scale);

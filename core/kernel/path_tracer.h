@@ -53,9 +53,8 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   paths.ray.from = select(v.in_medium, Int(kNoHit), hit.primitive);
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
-  const Sampler::Bits choice = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice));
   if (uses(scene, Feature::Lights) && any(lit))
-    add_direct_light(scene, v, frame, dimension_base, choice.x, lit, paths, counters, watch);
+    add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
 
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
   const Mask wants_lobe =
@@ -121,7 +120,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
     // of a long one without losses (total reflection) would grow without limit.
     const Real survival =
         min(max_component(paths.throughput) * paths.roulette_scale * kRouletteSurvival, Real(1));
-    const Real dice = unit_from_bits(choice.y);
+    const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {
       watch.roulette(roulette, survival);
@@ -140,8 +139,8 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
 }
 
 /// Sets of paths that a thread takes through the same step one after the other: they have nothing
-/// to do with each other, so the processor begins the second while it waits for the first, and its
-/// code is at hand. More of them no longer fit the nearest cache beside what a step needs.
+/// to do with each other, so the processor begins the second while it waits for the first. Four
+/// gained less, eight nothing; a lane alone gains nothing by two (docs/performance.md).
 inline constexpr int kSets = kLanes > 1 ? 2 : 1;
 
 inline void render_work(const SceneView<T>& scene, const Work& work, FilmView film,

@@ -160,7 +160,7 @@ TEST(Schedule, TilesKeepCallsShortAndThreadsBusy) {
   // Few samples call for large tiles, many for small ones.
   EXPECT_EQ(plan_tiles(300, 300, 1, 2, 7e6), (Tiling{32, 1}));
   EXPECT_EQ(plan_tiles(300, 300, 16, 2, 7e6), (Tiling{16, 16}));
-  EXPECT_EQ(plan_tiles(600, 600, 1, 2, 7e6), (Tiling{32, 1}));
+  EXPECT_EQ(plan_tiles(600, 600, 1, 2, 7e6), (Tiling{64, 1}));
   EXPECT_EQ(plan_tiles(600, 600, 28, 2, 7e6), (Tiling{16, 28}));
   EXPECT_EQ(plan_tiles(600, 600, 256, 1, 16e6), (Tiling{16, 250}));
   for (const double speed : {0.0, 1e4, 1e6, 1e8}) {
