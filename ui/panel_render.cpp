@@ -75,7 +75,7 @@ void draw_render_panel(Workbench& bench) {
                  "noise: for finding faults");
       enum_field("Light choice", render.light_choice, {"With images", "Contribution", "Power"},
                  "Which light a point samples: by what it would bring, images in plane mirrors "
-                 "and glass spheres included; without those; or by power");
+                 "and glass included; without those; or by power");
       enum_field("Sampler", render.sampler, {"Sobol", "Independent"},
                  "Random numbers: Owen-scrambled Sobol points, or plain ones to compare with");
       toggle_field(

@@ -114,10 +114,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   if (choice == LightChoiceBy::Images) {
     v.candidate_count =
         static_cast<std::uint32_t>(p.lights->candidates.size() / kLightCandidateStride);
-    v.mirror_count = static_cast<std::uint32_t>(p.lights->mirror_end.size());
-    v.mirrors = p.lights->mirrors.data();
-    v.mirror_columns = or_null(p.lights->mirror_columns);
-    v.mirror_end = p.lights->mirror_end.data();
+    v.mirror_count = p.lights->mirror_count;
+    v.face_count = static_cast<std::uint32_t>(p.lights->face_end.size());
+    v.faces = p.lights->faces.data();
+    v.face_columns = or_null(p.lights->face_columns);
+    v.face_end = p.lights->face_end.data();
     v.image_candidate = p.lights->image_candidate.data();
     v.lens_count = static_cast<std::uint32_t>(p.lights->lens_end.size());
     v.lenses = p.lights->lenses.data();

@@ -33,6 +33,7 @@ std::vector<FeatureUse> feature_list(const SceneView<T>& view) {
       use("choice of lights", Feature::ChoiceOfLights, "by what each would bring to the point"),
       use("light tree", Feature::LightTree, "the same for many lights, by clusters of them"),
       use("images in mirrors", Feature::ImagesInMirrors, "lights sampled by way of plane mirrors"),
+      use("images in panes", Feature::ImagesInPanes, "lights sampled by way of glass boxes"),
       use("images in glass", Feature::ImagesInGlass, "lights sampled by way of glass spheres"),
       use("environment", Feature::Environment, "radiance from outside"),
       use("media", Feature::Media, "free flights and transmittance"),

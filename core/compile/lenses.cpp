@@ -2,25 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
-
-#include "core/scene/bounds.h"
 
 namespace lightbench {
 namespace {
 
 using glm::dvec3;
-
-/// Whether the box reaches into the ball that fills `ball`, which spans its way if it moves.
-bool reaches(const Bounds& box, const Bounds& ball, bool moving) {
-  const dvec3 gap = glm::max(glm::max(box.min - ball.max, ball.min - box.max), dvec3(0));
-  if (moving) return gap == dvec3(0);
-  const dvec3 c = ball.center(), nearest = glm::clamp(c, box.min, box.max);
-  const double radius = 0.5 * ball.size().x;
-  return glm::distance(c, nearest) < radius * (1 - 1e-9);
-}
 
 double square(double x) { return x * x; }
 
@@ -40,47 +28,24 @@ double turn(const Lamp& lamp, const GlassSphere& sphere, double theta) {
   return 2 * theta - 2 * std::asin(s / sphere.ior) - std::asin(std::min(s * k, 1.0));
 }
 
-bool within(const Bounds& box, const Bounds& other) {
-  return glm::all(glm::greaterThanEqual(box.min, other.min)) &&
-         glm::all(glm::lessThanEqual(box.max, other.max));
-}
-
 }  // namespace
 
 template <class T>
-std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry) {
+std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry,
+                                       const ObjectBoxes& boxes) {
   std::vector<GlassSphere> spheres;
-  std::vector<Bounds> boxes;
   unsigned seen = 0;
   for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxLightCandidates; ++i) {
     if (static_cast<PrimitiveKind>(geometry.kind[i]) != PrimitiveKind::Sphere) continue;
-    const Object& object = scene.objects[static_cast<std::size_t>(geometry.object[i])];
-    const Material& m = scene.materials[static_cast<std::size_t>(object.material)];
-    if (m.kind != MaterialKind::Dielectric || !(m.ior > 1) || m.base_color_texture != kNone)
-      continue;
+    const auto object = static_cast<std::size_t>(geometry.object[i]);
+    const Material& m = scene.materials[static_cast<std::size_t>(scene.objects[object].material)];
+    if (!is_clear_glass(m)) continue;
     ++seen;
-    if (boxes.empty()) {
-      const std::vector<Bounds> meshes = all_mesh_bounds(scene);
-      for (const Object& o : scene.objects) {
-        boxes.push_back(o.visible ? object_bounds(o, scene.camera, meshes) : Bounds{});
-      }
-    }
+    const Interior interior = boxes.interior(object);
+    if (interior == Interior::Hollow) continue;
     const Numbers<T> row(&geometry.rows[geometry.row[i]]);
-    GlassSphere s{row.vec(0),
-                  row.vec(4),
-                  row[3],
-                  m.ior,
-                  i,
-                  m.base_color * m.base_color,
-                  /*crowded=*/object.medium != kNone};
-    const auto self = static_cast<std::size_t>(geometry.object[i]);
-    bool hollow = false;
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      if (k == self || boxes[k].empty()) continue;
-      s.crowded = s.crowded || reaches(boxes[k], boxes[self], s.motion != dvec3(0));
-      hollow = hollow || within(boxes[k], boxes[self]);
-    }
-    if (!hollow) spheres.push_back(s);
+    spheres.push_back({row.vec(0), row.vec(4), row[3], m.ior, i, m.base_color * m.base_color,
+                       interior == Interior::Crowded});
   }
   return spheres;
 }
@@ -165,8 +130,10 @@ void append_lens(const GlassSphere& sphere, T offset, std::vector<T>& rows) {
   for (const double x : numbers) rows.push_back(static_cast<T>(x));
 }
 
-template std::vector<GlassSphere> glass_spheres(const Scene&, const GeometryPart<float>&);
-template std::vector<GlassSphere> glass_spheres(const Scene&, const GeometryPart<double>&);
+template std::vector<GlassSphere> glass_spheres(const Scene&, const GeometryPart<float>&,
+                                                const ObjectBoxes&);
+template std::vector<GlassSphere> glass_spheres(const Scene&, const GeometryPart<double>&,
+                                                const ObjectBoxes&);
 template void append_lens(const GlassSphere&, float, std::vector<float>&);
 template void append_lens(const GlassSphere&, double, std::vector<double>&);
 

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/compile/glass_interior.h"
 #include "core/compile/light_place.h"
 #include "core/compile/parts.h"
 #include "core/scene/scene.h"
@@ -23,10 +24,10 @@ struct GlassSphere {
   [[nodiscard]] glm::dvec3 middle() const { return center + 0.5 * motion; }
 };
 
-/// The scene's first kMaxLightCandidates, more cannot be used, but for hollow ones: spheres with
-/// something wholly inside.
+/// The scene's first kMaxLightCandidates, more cannot be used, but for hollow ones.
 template <class T>
-std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry);
+std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry,
+                                       const ObjectBoxes& boxes);
 
 /// Whether the lamp keeps clear of the sphere, so that the one is seen through the other.
 bool can_light(const Lamp& lamp, const GlassSphere& sphere);

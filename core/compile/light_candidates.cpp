@@ -9,6 +9,7 @@
 
 #include "core/compile/columns.h"
 #include "core/compile/lenses.h"
+#include "core/compile/plane_faces.h"
 
 namespace lightbench {
 namespace {
@@ -19,111 +20,27 @@ using glm::dvec3;
 using glm::length;
 using glm::normalize;
 
-struct MirrorFace {
-  dvec3 n, origin, u, v;
-  MirrorOutline outline;
-  std::uint32_t primitive;
-  dvec3 color;
-
-  [[nodiscard]] dvec3 dual_u() const {
-    return cross(v, cross(u, v)) / dot(u, cross(v, cross(u, v)));
-  }
-  [[nodiscard]] dvec3 dual_v() const {
-    return cross(cross(u, v), u) / dot(v, cross(cross(u, v), u));
-  }
-  /// Points whose hull holds the face.
-  [[nodiscard]] std::vector<dvec3> corners() const {
-    if (outline == MirrorOutline::Triangle) return {origin, origin + u, origin + v};
-    if (outline == MirrorOutline::Disc)
-      return {origin + u + v, origin + u - v, origin - u + v, origin - u - v};
-    return {origin, origin + u, origin + v, origin + u + v};
-  }
-  [[nodiscard]] dvec3 mirrored(const dvec3& p) const { return p - 2 * dot(n, p - origin) * n; }
-};
-
-/// The faces of the plane-sided primitives that are ideal mirrors.
 template <class T>
-std::vector<MirrorFace> mirror_faces(const Scene& scene, const GeometryPart<T>& geometry) {
-  std::vector<MirrorFace> faces;
-  for (std::uint32_t i = 0; i < geometry.surface_count; ++i) {
-    const Object& o = scene.objects[static_cast<std::size_t>(geometry.object[i])];
-    const Material& m = scene.materials[static_cast<std::size_t>(o.material)];
-    const bool ideal = m.kind == MaterialKind::Metal && m.fuzz <= 0 && m.roughness <= 0;
-    if (!ideal || m.base_color_texture != kNone) continue;
-    const Numbers<T> row(&geometry.rows[geometry.row[i]]);
-    const auto add = [&](const dvec3& n, const dvec3& origin, const dvec3& u, const dvec3& v,
-                         MirrorOutline outline) {
-      faces.push_back({n, origin, u, v, outline, i, m.base_color});
-    };
-    const auto add_both_sides = [&](const dvec3& n, const dvec3& origin, const dvec3& u,
-                                    const dvec3& v, MirrorOutline outline) {
-      add(n, origin, u, v, outline);
-      add(-n, origin, u, v, outline);
-    };
-    switch (static_cast<PrimitiveKind>(geometry.kind[i])) {
-      case PrimitiveKind::Disc:
-        add_both_sides(row.vec(3), row.vec(0), row.vec(6), row.vec(9), MirrorOutline::Disc);
-        break;
-      case PrimitiveKind::Rectangle:
-        add_both_sides(row.vec(3), row.vec(0), row.vec(6), row.vec(9),
-                       MirrorOutline::Parallelogram);
-        break;
-      case PrimitiveKind::Triangle: {
-        const dvec3 a = row.vec(0), u = row.vec(3) - a, v = row.vec(6) - a;
-        add_both_sides(normalize(cross(u, v)), a, u, v, MirrorOutline::Triangle);
-        break;
-      }
-      case PrimitiveKind::Pyramid: {
-        const dvec3 tip = row.vec(0), a = row.vec(3), b = row.vec(6), c = row.vec(9);
-        add(row.vec(12), tip + a, b - a, c - a, MirrorOutline::Triangle);
-        add(row.vec(15), tip, b, c, MirrorOutline::Triangle);
-        add(row.vec(18), tip, a, c, MirrorOutline::Triangle);
-        add(row.vec(21), tip, a, b, MirrorOutline::Triangle);
-        break;
-      }
-      case PrimitiveKind::Box:
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto half = [&](std::size_t a) { return row.vec(3 + 3 * a) * row[12 + a]; };
-          const dvec3 out = half(k), u = half((k + 1) % 3), v = half((k + 2) % 3);
-          for (const double side : {1.0, -1.0}) {
-            add(row.vec(3 + 3 * k) * side, row.vec(0) + side * out - u - v, 2.0 * u, 2.0 * v,
-                MirrorOutline::Parallelogram);
-          }
-        }
-        break;
-      default:
-        break;
-    }
-  }
-  return faces;
-}
-
-/// Whether light of the lamp can fall on the front of the face.
-bool can_light(const Lamp& lamp, const MirrorFace& face) {
-  const double height = dot(face.n, lamp.place.center - face.origin);
-  if (height + lamp.place.extent(face.n) <= 0) return false;
-  if (lamp.place.normal == dvec3(0) || lamp.two_sided) return true;
-  const auto corners = face.corners();
-  return std::any_of(corners.begin(), corners.end(), [&](const dvec3& p) {
-    return dot(lamp.place.normal, p - lamp.place.center) > 0;
-  });
-}
-
-template <class T>
-void append_candidate(const Lamp& lamp, std::uint32_t light, const MirrorFace* face, int mirror,
+void append_candidate(const Lamp& lamp, std::uint32_t light, const PlaneFace* face, int mirror,
                       std::vector<T>& rows) {
   const LightPlacement& p = lamp.place;
   dvec3 center = p.center, normal = p.normal, window(0), extent(0);
   double weight = lamp.weight;
   if (face != nullptr) {
-    center = face->mirrored(center);
-    normal -= 2 * dot(face->n, normal) * face->n;
     const dvec3 w[3] = {face->dual_u(), face->dual_v(), face->n};
     for (int k = 0; k < 3; ++k) {
       window[k] = dot(w[k], p.center - face->origin);
       extent[k] = p.extent(w[k]);
     }
-    // Of a light that the mirror's plane cuts, the part in front.
+    if (face->thickness > 0) {
+      const double nearer = face->thickness * (1 - 1 / face->ior);
+      center += nearer * face->n;
+      window.z = -window.z - nearer;
+    } else {
+      center -= 2 * window.z * face->n;
+      normal -= 2 * dot(face->n, normal) * face->n;
+    }
+    // Of a light that the face's plane cuts, the part that is seen in it.
     window.z = std::max(window.z, 0.25 * extent.z);
     weight *= luminance(face->color);
   }
@@ -161,17 +78,6 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const GlassSphere& 
   std::transform(turns.begin(), turns.end(), row + 11, [](double x) { return static_cast<T>(x); });
 }
 
-template <class T>
-void append_mirror(const MirrorFace& face, T offset, std::vector<T>& rows) {
-  for (const dvec3& v : {face.n, face.origin, face.dual_u(), face.dual_v()}) {
-    for (int k = 0; k < 3; ++k) rows.push_back(static_cast<T>(v[k]));
-  }
-  rows.push_back(static_cast<T>(face.outline));
-  rows.push_back(static_cast<T>(face.primitive));
-  for (int k = 0; k < 3; ++k) rows.push_back(static_cast<T>(face.color[k]));
-  rows.push_back(offset);
-}
-
 }  // namespace
 
 template <class T>
@@ -202,24 +108,31 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
     lights.image_candidate.insert(lights.image_candidate.end(), of_lights.begin(), of_lights.end());
     return true;
   };
-  for (const MirrorFace& face : mirror_faces(scene, geometry)) {
-    const auto mirror = static_cast<int>(lights.mirror_end.size());
+  const auto add_face = [&](const PlaneFace& face) {
+    const auto number = static_cast<int>(lights.face_end.size());
     const bool added = add_images(
         [&](std::size_t l) {
-          return lights.primitive[l] != face.primitive && can_light(lamps[l], face);
+          // Meshes are not met by rays of their own beyond the glass.
+          const bool mesh =
+              static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]) == PrimitiveKind::Mesh;
+          return lights.primitive[l] != face.primitive && !(mesh && face.thickness > 0) &&
+                 can_light(lamps[l], face);
         },
         [&](std::size_t l) {
-          append_candidate(lamps[l], light_index(l), &face, mirror, lights.candidates);
+          append_candidate(lamps[l], light_index(l), &face, number, lights.candidates);
         });
-    if (!added) continue;
-    lights.mirror_end.push_back(candidates);
-    append_mirror(face, geometry.offset[face.primitive], lights.mirrors);
-  }
-  append_columns(lights.mirrors.data(), lights.mirror_end.size(), kMirrorStride,
-                 lights.mirror_columns);
+    if (!added) return;
+    lights.face_end.push_back(candidates);
+    append_face(face, geometry.offset[face.primitive], lights.faces);
+  };
+  for (const PlaneFace& face : mirror_faces(scene, geometry)) add_face(face);
+  lights.mirror_count = static_cast<std::uint32_t>(lights.face_end.size());
+  const ObjectBoxes boxes(scene);
+  for (const PlaneFace& face : pane_faces(scene, geometry, boxes)) add_face(face);
+  append_columns(lights.faces.data(), lights.face_end.size(), kFaceStride, lights.face_columns);
   lights.first_lens_candidate = candidates;
-  for (const GlassSphere& sphere : glass_spheres(scene, geometry)) {
-    const auto lens = static_cast<int>(lights.mirror_end.size() + lights.lens_end.size());
+  for (const GlassSphere& sphere : glass_spheres(scene, geometry, boxes)) {
+    const auto lens = static_cast<int>(lights.face_end.size() + lights.lens_end.size());
     const bool added = add_images(
         [&](std::size_t l) {
           const auto kind = static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]);
@@ -235,7 +148,7 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
     lights.lens_end.push_back(candidates);
     append_lens(sphere, geometry.offset[sphere.primitive], lights.lenses);
   }
-  if (count == 1 && lights.mirror_end.empty() && lights.lens_end.empty()) {
+  if (count == 1 && lights.face_end.empty() && lights.lens_end.empty()) {
     lights.candidates.clear();
     lights.direct_candidates = 0;
   }

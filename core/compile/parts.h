@@ -62,9 +62,9 @@ struct LightPart {
   std::vector<std::uint32_t> primitive, slot, alias_other;
   std::vector<T> pmf, alias_threshold;
   // Choice by contribution (core/compile/light_candidates.h).
-  std::uint32_t direct_candidates = 0, first_lens_candidate = 0;
-  std::vector<T> candidates, mirrors, mirror_columns, lenses, lens_tables;
-  std::vector<std::uint32_t> mirror_end, image_candidate, lens_end;
+  std::uint32_t direct_candidates = 0, mirror_count = 0, first_lens_candidate = 0;
+  std::vector<T> candidates, faces, face_columns, lenses, lens_tables;
+  std::vector<std::uint32_t> face_end, image_candidate, lens_end;
   // By a tree (core/compile/light_tree.h).
   std::vector<T> tree_rows;
   std::vector<std::uint32_t> tree_child, tree_trail;

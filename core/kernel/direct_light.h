@@ -1,6 +1,6 @@
 #pragma once
 // Next-event estimation: one sample of one light from each vertex, straight, by way of a mirror or
-// through a lens.
+// through glass.
 
 #include "core/accel/closest_hit.h"
 #include "core/film/counters.h"
@@ -48,27 +48,32 @@ template <class Watch>
   }
   const LightPlace place = place_of(scene, chosen.light);
   const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
-  const bool detours = uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass);
+  const bool detours = has_detours(scene);
   const Mask detour = active && chosen.via != Int(kStraight);
   const bool some_detour = detours && any(detour);
-  Mask by_lens(false), mirrored_lanes(false);
+  Mask by_lens(false), by_pane(false), mirrored_lanes(false);
   Vec seen_from = v.reflect_from;
   if (some_detour) {
     by_lens = detour && is_lens(scene, chosen.via);
+    if (uses(scene, Feature::ImagesInPanes)) by_pane = detour && is_pane(scene, chosen.via);
     // One segment more than the straight way, or two.
-    const Int more = select(by_lens, Int(2U), Int(1U));
+    const Int more = select(by_lens || by_pane, Int(2U), Int(1U));
     active = active &&
              (!detour || paths.segments + more < Int(static_cast<std::uint32_t>(scene.max_depth)));
     if (none(active)) return;
     by_lens = by_lens && active;
-    mirrored_lanes = detour && active && !by_lens;
+    by_pane = by_pane && active;
+    mirrored_lanes = detour && active && !by_lens && !by_pane;
     if (any(mirrored_lanes)) {
-      const Mirror mirror = mirrors_of(scene, chosen.via, mirrored_lanes);
+      const Face mirror = faces_of(scene, chosen.via, mirrored_lanes);
       seen_from = select(mirrored_lanes, mirrored(mirror, seen_from), seen_from);
     }
+    if (uses(scene, Feature::ImagesInPanes) && any(by_pane))
+      seen_from =
+          select(by_pane, seen_by_pane(scene, at, chosen.light, chosen.via, by_pane), seen_from);
   }
   LightSample s = sample_light(scene, place, seen_from, paths.ray.time, u, active && !by_lens);
-  const Mask straight = active && !by_lens && !mirrored_lanes;
+  const Mask straight = active && !by_lens && !by_pane && !mirrored_lanes;
   const Mask own = straight && place.primitive == paths.ray.from;
   if (any(own)) sample_own_lights(scene, place, paths.ray, v.reflect_from, u, !v.front, own, s);
   Vec wi = s.d;
@@ -76,10 +81,11 @@ template <class Watch>
   if (some_detour) {
     way = straight_on();
     if (any(mirrored_lanes)) take_mirror(scene, chosen.via, mirrored_lanes, v.reflect_from, s, way);
-    if (any(by_lens)) {
+    if (uses(scene, Feature::ImagesInGlass) && any(by_lens))
       take_lens(scene, at, chosen, place, u, by_lens, s, way);
-      seen_from = select(by_lens, way.origin, seen_from);
-    }
+    if (uses(scene, Feature::ImagesInPanes) && any(by_pane))
+      take_pane(scene, at, chosen.via, place, by_pane, s, way);
+    seen_from = select(by_lens || by_pane, way.origin, seen_from);
     wi = select(way.taken, way.d, s.d);
   }
 

@@ -6,6 +6,7 @@
 #include "core/kernel/vertex.h"
 #include "core/lights/light.h"
 #include "core/lights/light_choice.h"
+#include "core/lights/pane.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -75,22 +76,29 @@ inline void add_emission(const SceneView<T>& scene, const Vertex& v, const Neare
     Vec from = paths.ray.o;
     Real distance = hit.t;
     const Mask by_lens = known && is_lens(scene, paths.via);
-    const Mask mirrored_lanes = known && paths.via != Int(kStraight) && !by_lens;
+    const Mask by_pane =
+        Mask(uses(scene, Feature::ImagesInPanes)) && known && is_pane(scene, paths.via);
+    const Mask straight = paths.via == Int(kStraight);
+    const Mask mirrored_lanes = known && !straight && !by_lens && !by_pane;
     if (uses(scene, Feature::ImagesInMirrors) && any(mirrored_lanes)) {
-      const Mirror mirror = mirrors_of(scene, paths.via, mirrored_lanes);
+      const Face mirror = faces_of(scene, paths.via, mirrored_lanes);
       from = select(mirrored_lanes, mirrored(mirror, paths.chosen_from), from);
       distance = select(mirrored_lanes, distance + length(paths.ray.o - from), distance);
     }
     Real of_shape = pdf_light(scene, {hit.primitive, hit.slot}, from, paths.ray.time, paths.ray.d,
                               distance, v.surface.ng, known);
     // As sample_own_lights() has it.
-    const Mask own =
-        known && !mirrored_lanes && !by_lens && hit.primitive == paths.ray.from && paths.ray.inside;
+    const Mask own = known && straight && hit.primitive == paths.ray.from && paths.ray.inside;
     of_shape = select(own && !mesh, Real(kPdfSphere), of_shape);
     const Chooser at{paths.chosen_from, paths.chosen_n, paths.ray.time};
     if (uses(scene, Feature::ImagesInGlass) && any(by_lens))
       of_shape =
           select(by_lens, pdf_through(scene, at, light, paths.via, paths.left, by_lens), of_shape);
+    if (uses(scene, Feature::ImagesInPanes) && any(by_pane)) {
+      const LightPlace place{hit.primitive, hit.slot};
+      const Real pdf = pdf_through_pane(scene, at, place, light, paths.via, paths.left, by_pane);
+      of_shape = select(by_pane, pdf, of_shape);
+    }
     const Real pmf = pmf_of_light(scene, at, light, paths.via, paths.choice_scale, known);
     const Real pdf = pmf * of_shape;
     // Light sampling alone leaves only what it cannot choose to the paths' own rays.

@@ -18,6 +18,7 @@ enum class Feature : std::uint32_t {
   ChoiceOfLights,
   LightTree,
   ImagesInMirrors,
+  ImagesInPanes,
   ImagesInGlass,
   Environment,
   Media,
@@ -65,6 +66,8 @@ bool has(const SceneView<T>& scene, Feature feature) {
       return scene.light_nodes != nullptr;
     case Feature::ImagesInMirrors:
       return scene.mirror_count > 0;
+    case Feature::ImagesInPanes:
+      return scene.face_count > scene.mirror_count;
     case Feature::ImagesInGlass:
       return scene.lens_count > 0;
     case Feature::Environment:

@@ -80,8 +80,8 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   }
   paths.throughput = paths.throughput * next.weight;
   Mask unknown = next.delta;
-  if (uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInGlass)) {
-    // A first mirror keeps the density that the ray had, and refraction into and out of a lens that
+  if (has_detours(scene)) {
+    // A first mirror keeps the density that the ray had, and refraction into and out of glass that
     // and its own probability: light sampling knows those ways too.
     const Mask followed = next.delta && paths.pdf > Real(0);
     const Mask first = followed && paths.via == Int(kStraight);
@@ -89,14 +89,18 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
     paths.via = Int(kStraight);
     if (any(followed)) {
       paths.via =
-          mirror_of(scene, hit.primitive, v.ng, first && is_kind(v.material, BsdfKind::Mirror));
-      if (uses(scene, Feature::ImagesInGlass)) {
+          face_of(scene, hit.primitive, v.ng, first && is_kind(v.material, BsdfKind::Mirror));
+      if (uses(scene, Feature::ImagesInGlass) || uses(scene, Feature::ImagesInPanes)) {
         const Mask through = followed && is_kind(v.material, BsdfKind::Dielectric) && !same_side;
-        const Int lens = lens_of(scene, hit.primitive, through);
-        const Mask enters = through && first && v.front && lens != Int(kStraight);
-        const Mask leaves = through && !v.front && lens != Int(kStraight) && before == lens;
+        Int glass(kStraight);
+        if (uses(scene, Feature::ImagesInGlass)) glass = lens_of(scene, hit.primitive, through);
+        // The normal into the box by which a ray leaves is that of the face by which it came.
+        if (uses(scene, Feature::ImagesInPanes))
+          glass = min(glass, face_of(scene, hit.primitive, v.ng, through));
+        const Mask enters = through && first && v.front && glass != Int(kStraight);
+        const Mask leaves = through && !v.front && glass != Int(kStraight) && before == glass;
         paths.left = select(enters, paths.ray.d, paths.left);
-        paths.via = select(enters || leaves, lens, paths.via);
+        paths.via = select(enters || leaves, glass, paths.via);
       }
       const Mask known = paths.via != Int(kStraight);
       next.pdf = select(

@@ -15,7 +15,7 @@ struct Paths {
   // weighted. Only where lights are chosen by contribution.
   Vec chosen_from, chosen_n;
   Real choice_scale;
-  Vec left;             ///< direction in which it left for a lens
+  Vec left;             ///< direction in which it left for glass
   Int via;              ///< mirror or lens that the ray has gone by since, kStraight for none
   Real roulette_scale;  ///< undoes the radiance scaling of refraction when judging a path's worth
   Int segments;         ///< path segments traced

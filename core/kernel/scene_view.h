@@ -38,7 +38,7 @@ inline constexpr unsigned kTextureStride = 16;
 /// Lights and their images in mirrors and glass that are chosen between by contribution, at most.
 inline constexpr unsigned kMaxLightCandidates = 32;
 inline constexpr unsigned kLightCandidateStride = 19;
-inline constexpr unsigned kMirrorStride = 18;
+inline constexpr unsigned kFaceStride = 21;
 inline constexpr unsigned kLensStride = 14;
 /// Numbers of the function that a candidate seen through a lens tabulates.
 inline constexpr unsigned kLensNodes = 8;
@@ -50,7 +50,7 @@ inline constexpr std::uint32_t kStraight = 0xffffffffU;
 inline constexpr unsigned kLightNodeStride = 11;
 inline constexpr std::uint32_t kLightLeaf = 0x80000000U;
 inline constexpr std::uint32_t kNoTrail = 0xffffffffU;
-enum class MirrorOutline : std::uint32_t { Parallelogram, Triangle, Disc };
+enum class FaceOutline : std::uint32_t { Parallelogram, Triangle, Disc };
 /// Numbers in a mesh's row before the index of the mesh.
 inline constexpr unsigned kMeshRow = 24;
 
@@ -145,14 +145,15 @@ struct SceneView {
   const std::uint32_t* alias_other = nullptr;
 
   // By contribution instead (core/lights/light_choice.h): none if there is one light, or many.
-  // First the lights, in their order, then their images, mirror by mirror and lens by lens.
+  // First the lights, in their order, then their images, face by face (core/lights/face.h) and lens
+  // by lens.
   std::uint32_t candidate_count = 0, direct_candidates = 0;
   const T* light_candidates = nullptr;
-  std::uint32_t mirror_count = 0;
-  const T* mirrors = nullptr;
-  const T* mirror_columns = nullptr;          ///< null where mirrors are too many
-  const std::uint32_t* mirror_end = nullptr;  ///< past the last candidate of each mirror
-  /// Candidate of each mirror or lens and light (via * light_count + light), kNoLight for none.
+  std::uint32_t mirror_count = 0, face_count = 0;  ///< mirrors come first, then panes
+  const T* faces = nullptr;
+  const T* face_columns = nullptr;          ///< null where faces are too many
+  const std::uint32_t* face_end = nullptr;  ///< past the last candidate of each face
+  /// Candidate of each face or lens and light (via * light_count + light), kNoLight for none.
   const std::uint32_t* image_candidate = nullptr;
 
   // Spheres of glass (core/lights/lens.h).

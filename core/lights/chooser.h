@@ -6,8 +6,9 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// What a light sampler chose: a light, and by way of which mirror or lens (mirrors come first,
-/// then lenses), kStraight for the light itself. pmf is 0 where nothing can be chosen.
+/// What a light sampler chose: a light, and by way of which face or lens (mirrors come
+/// first, then panes, then lenses), kStraight for the light itself. pmf is 0 where nothing can be
+/// chosen.
 struct LightChoice {
   Int light, via;
   Real pmf;
@@ -23,8 +24,12 @@ struct Chooser {
 inline std::uint32_t via_of(T number) {
   return number < T(0) ? kStraight : static_cast<std::uint32_t>(number);
 }
+/// Both of them sides of a box or lens of glass.
+inline Mask is_pane(const SceneView<T>& scene, Int via) {
+  return via >= Int(scene.mirror_count) && via < Int(scene.face_count);
+}
 inline Mask is_lens(const SceneView<T>& scene, Int via) {
-  return via != Int(kStraight) && via >= Int(scene.mirror_count);
+  return via != Int(kStraight) && via >= Int(scene.face_count);
 }
 
 inline Mask looks_all_around(const Chooser& at) { return !(length_squared(at.n) > Real(0)); }

@@ -12,30 +12,27 @@
 
 #include "core/accel/hit_surface.h"
 #include "core/lights/chooser.h"
+#include "core/lights/glass_way.h"
 #include "core/materials/dielectric.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
 struct Lens {
   Sphere sphere;
-  Real ior, primitive, offset;  ///< offset: bound on the error of a point on it
-  Vec tint;                     ///< of both refractions together
-  Real crowded;                 ///< above 0 where something may be inside
+  Real ior;
+  GlassBody body;
 };
 inline Lens lens_at(const auto& row, Real time) {
   return {{madd(row.vec(3), time, row.vec(0)), row[6], {}, {}},
           row[7],
-          row[8],
-          row[9],
-          row.vec(10),
-          row[13]};
+          {row[8], row[9], row.vec(10), row[13]}};
 }
-/// Each active lane's own, whose number comes after those of the mirrors.
+/// Each active lane's own, whose number comes after those of the faces.
 inline Lens lenses_of(const SceneView<T>& scene, Int via, Real time, Mask active) {
   return lens_at(
       merged_rows<kLensStride>(
           via, active,
-          [&](std::uint32_t i) { return scene.lenses + (i - scene.mirror_count) * kLensStride; }),
+          [&](std::uint32_t i) { return scene.lenses + (i - scene.face_count) * kLensStride; }),
       time);
 }
 
@@ -155,31 +152,23 @@ inline Real pdf_view(const LensView& v, Vec d) {
   return select(inside && v.outside && cosine > Real(0), pdf_at(v, cosine), Real(0));
 }
 
-/// The way of a ray through a lens.
-struct LensWay {
-  Vec in, out;   ///< unit outward normals where it enters and leaves
-  Vec d;         ///< within the sphere
-  Vec d_out;     ///< beyond it
-  Real t;        ///< to the sphere
-  Real chord;    ///< length within
-  Real passing;  ///< probability of both refractions
-  Mask valid;
-};
-inline LensWay way_through(const Lens& lens, Vec from, Vec d) {
-  LensWay w;
+inline GlassWay way_through(const Lens& lens, Vec from, Vec d) {
+  GlassWay w;
   const SphereHit hit = hit_sphere(lens.sphere, probe_ray(from, d), HitQuality::Refined);
   w.t = hit.span.near;
-  w.in = normal_at(hit, d, w.t);
-  const Real cosine = min(-dot(d, w.in), Real(1)), inverse = Real(1) / lens.ior;
+  w.n_in = normal_at(hit, d, w.t);
+  w.p_in = madd(w.n_in, lens.sphere.radius, lens.sphere.center);
+  const Real cosine = min(-dot(d, w.n_in), Real(1)), inverse = Real(1) / lens.ior;
   w.valid = hit.span.hit && w.t > Real(0) && cosine > Real(0);
   Real beyond;
   const Real passing = Real(1) - fresnel_dielectric(cosine, lens.ior, beyond);
   w.passing = passing * passing;
-  w.d = normalize(madd(w.in, fma(cosine, inverse, -beyond), d * inverse));
-  const Real through = -dot(w.d, w.in);
+  w.d = normalize(madd(w.n_in, fma(cosine, inverse, -beyond), d * inverse));
+  const Real through = -dot(w.d, w.n_in);
   w.chord = T(2) * through * lens.sphere.radius;
-  w.out = normalize(madd(w.d, T(2) * through, w.in));
-  w.d_out = normalize(madd(w.out, fma(-lens.ior, through, cosine), w.d * lens.ior));
+  w.n_out = normalize(madd(w.d, T(2) * through, w.n_in));
+  w.p_out = madd(w.n_out, lens.sphere.radius, lens.sphere.center);
+  w.d_out = normalize(madd(w.n_out, fma(-lens.ior, through, cosine), w.d * lens.ior));
   return w;
 }
 
@@ -216,7 +205,7 @@ inline Int lens_of(const SceneView<T>& scene, Int primitive, Mask active) {
   for (std::uint32_t i = 0; i < scene.lens_count; ++i) {
     const Mask m =
         active && primitive == Int(static_cast<std::uint32_t>(scene.lenses[i * kLensStride + 8]));
-    lens = select(m, Int(scene.mirror_count + i), lens);
+    lens = select(m, Int(scene.face_count + i), lens);
   }
   return lens;
 }

@@ -1,8 +1,9 @@
 #pragma once
 // Which light a point samples. Where the scene has few lights, in proportion to an estimate of what
-// each would bring to that very point; and then the images of the lights in plane mirrors and in
-// glass spheres are lights too. Where it has many, by the same estimate of whole clusters of them
-// (core/lights/light_tree.h). One light alone needs no choice; an alias table by power serves it.
+// each would bring to that very point; and then the images of the lights in plane mirrors and
+// through glass boxes and spheres are lights too. Where it has many, by the same estimate of whole
+// clusters of them (core/lights/light_tree.h). One light alone needs no choice; an alias table by
+// power serves it.
 //
 // The estimate only has to be positive where it matters: the probability that it leads to takes
 // part in the weights of multiple importance sampling, so a light judged 0 is left to the paths'
@@ -10,9 +11,9 @@
 
 #include "core/kernel/uses.h"
 #include "core/lights/chooser.h"
+#include "core/lights/face.h"
 #include "core/lights/lens.h"
 #include "core/lights/light_tree.h"
-#include "core/lights/mirror.h"
 #include "core/sampling/sobol.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -30,11 +31,12 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
 /// for factors common to all. `c` reads a row (Row or LaneRow):
 ///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
-///   the front, 8 light, 9 mirror or -1, 10 two-sided, 11..17 its window (core/lights/mirror.h),
+///   the front, 8 light, 9 face or -1, 10 two-sided, 11..17 its window (core/lights/face.h),
 ///   18 a quarter of the inverse of its radius.
 /// Seen through a lens (core/lights/lens.h) instead: 10 the inverse of its distance from the lens,
 ///   11..18 the light's part of g at the nodes.
-/// Of an image in a mirror the centre and the normal are mirrored. The cosine at the point is the
+/// Of an image in a mirror the centre and the normal are mirrored; of one through a pane the centre
+/// is where a ray at right angles to the pane would see it. The cosine at the point is the
 /// mean of the clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the
 /// point.
 inline Real contribution(const auto& c, const Chooser& at) {
@@ -82,13 +84,14 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
     c.total += c.of[i];
   }
   std::uint32_t i = scene.direct_candidates;
-  const std::uint32_t mirrors = uses(scene, Feature::ImagesInMirrors) ? scene.mirror_count : 0;
-  for (std::uint32_t m = 0; m < mirrors; ++m) {
-    const Mirror mirror = mirror_at(Row{scene.mirrors + m * kMirrorStride});
-    const Vec place = place_before(mirror, at.p);
-    for (; i < scene.mirror_end[m]; ++i) {
+  const bool images = uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInPanes);
+  const std::uint32_t faces = images ? scene.face_count : 0;
+  for (std::uint32_t f = 0; f < faces; ++f) {
+    const Face face = face_at(Row{scene.faces + f * kFaceStride});
+    const Vec place = place_before(face, at.p);
+    for (; i < scene.face_end[f]; ++i) {
       const Row row{scene.light_candidates + i * kLightCandidateStride};
-      const Real seen = share_in_window(mirror, place, row);
+      const Real seen = share_in_window(face, place, row);
       c.of[i] = Real(0);
       if (none(seen > Real(0))) continue;
       c.of[i] = contribution(row, at) * seen;
@@ -121,7 +124,7 @@ inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Choos
   return choice;
 }
 
-/// Number of the candidate that `light` is by way of a mirror or lens; kNoLight for none.
+/// Number of the candidate that `light` is by way of a face or lens; kNoLight for none.
 inline Int candidate_of(const SceneView<T>& scene, Int light, Int via, Mask active) {
   return gather(scene.image_candidate,
                 select(active, via * Int(scene.light_count) + light, Int(0U)));
@@ -152,10 +155,10 @@ inline Real pmf_by_contribution(const SceneView<T>& scene, const Chooser& at, In
     value =
         select(through, contribution_through(scene, lens, place_of(lens, at), row, some), value);
   }
-  const Mask in_mirror = seen && !through;
-  if (any(in_mirror)) {
-    const Mirror m = mirrors_of(scene, via, in_mirror);
-    value = select(in_mirror, value * share_in_window(m, place_before(m, at.p), row), value);
+  const Mask in_face = seen && !through;
+  if (any(in_face)) {
+    const Face f = faces_of(scene, via, in_face);
+    value = select(in_face, value * share_in_window(f, place_before(f, at.p), row), value);
   }
   return select(known, value * scale, Real(0));
 }
@@ -175,6 +178,12 @@ inline LensView lens_view(const SceneView<T>& scene, const Lens& lens, const Cho
   if (none(known)) return Real(0);
   const Lens lens = lenses_of(scene, via, at.time, known);
   return select(known, pdf_view(lens_view(scene, lens, at, light, via, known), d), Real(0));
+}
+
+/// True where lights are sampled by other ways than the straight one.
+inline bool has_detours(const SceneView<T>& scene) {
+  return uses(scene, Feature::ImagesInMirrors) || uses(scene, Feature::ImagesInPanes) ||
+         uses(scene, Feature::ImagesInGlass);
 }
 
 /// True where the choice depends on the point, which paths then remember.

@@ -36,7 +36,7 @@ inline Real selection_of(const SceneView<T>& scene, const Chooser& at, Int light
 inline Int choose_lights(const SceneView<T>& scene, const Chooser& at, Int random, Mask active) {
   SceneView<T> direct = scene;
   direct.candidate_count = scene.direct_candidates;
-  direct.mirror_count = direct.lens_count = 0;
+  direct.face_count = direct.lens_count = 0;
   Real scale;
   return choose_light(direct, at, random, active, scale).light;
 }

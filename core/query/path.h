@@ -24,7 +24,7 @@ struct MetEmission {
 /// Next-event estimation at a vertex.
 struct LightTry {
   LightPoint point;
-  int via = kNone;       ///< mirror or glass sphere by way of which it was sampled, kNone: straight
+  int via = kNone;       ///< mirror or glass by way of which it was sampled, kNone: straight
   glm::dvec3 value{0};   ///< BSDF times |cos| (or phase function) towards the light
   double value_pdf = 0;  ///< with which the BSDF would have sampled that direction
   double weight = 0;     ///< against BSDF sampling (power heuristic)

@@ -227,7 +227,7 @@ enum class Strategy {
 
 /// Which light a point samples (core/lights/light_choice.h); all have the same mean.
 enum class LightChoiceBy {
-  Images,        ///< by contribution, images in plane mirrors and glass spheres included
+  Images,        ///< by contribution, images in plane mirrors and glass included
   Contribution,  ///< by what each light would bring to the point
   Power,         ///< by emitted power, the same everywhere
 };

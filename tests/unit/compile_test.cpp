@@ -353,6 +353,12 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
        }},
       {"images in mirrors",
        lit(MaterialKind::Metal, RectangleShape{{-1, -2, -1}, {2, 0, 0}, {0, 0, 2}})},
+      {"images in panes",
+       [=](S s) {
+         lit(MaterialKind::Dielectric, BoxShape{{-1, 9, -1}, {1, 10, 1}})(s);
+         s.objects.resize(3, s.objects[0]);
+         s.objects[2].transform.translation.y = 20;
+       }},
       {"images in glass", lit(MaterialKind::Dielectric, SphereShape{{0, 0, 20}, 1, {0, 0, 0}})},
       {"environment", [](S s) { s.environment.color = glm::dvec3(1); }},
       {"media",
