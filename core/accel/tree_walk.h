@@ -234,11 +234,27 @@ void visit_nodes(Walks& w, std::uint32_t lanes) {
   }
 }
 
+/// The surfaces that the tree does without, against all lanes.
+template <bool kShadow>
+[[gnu::noinline]] void test_wide(const SceneView<T>& scene, const Ray& ray, Mask active,
+                                 NearestHit& hit) {
+  for (std::uint32_t i = 0; i < scene.wide_count; ++i) {
+    with_kind(scene, scene.wide[i], [&]<PrimitiveKind kKind>() {
+      test_primitive<kShadow, kKind, TestOrder::Any>(scene, scene.wide[i], ray, active, hit);
+    });
+  }
+}
+
 /// Nearest hits before hit.t, or any.
 template <bool kShadow>
 void walk_trees(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
   // A single mesh needs no tree over it.
   const bool single_mesh = scene.surface_count == 1 && is_mesh(scene, 0);
+  if (scene.wide_count > 0) {
+    test_wide<kShadow>(scene, ray, active, hit);
+    if (kShadow) active = active && hit.primitive == Int(kNoHit);
+    if (none(active)) return;
+  }
   const RayTable rays(single_mesh ? to_mesh_space(scene, 0, ray) : ray);
   Walks w;
   start_walks<kShadow>(scene, rays, single_mesh, active, hit, w);

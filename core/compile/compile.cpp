@@ -84,6 +84,8 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.nodes = g.tree.nodes.data();
     v.motion = g.tree.motion.empty() ? nullptr : g.tree.motion.data();
     v.leaves = g.tree.items.data();
+    v.wide_count = static_cast<std::uint32_t>(g.wide.size());
+    v.wide = g.wide.data();
     v.beyond_cache = g.tree.nodes.size() * sizeof(BvhNode) > kCacheBytes;
   }
   v.material = p.materials->of_primitive.data();

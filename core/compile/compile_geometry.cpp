@@ -76,10 +76,49 @@ constexpr std::size_t kManySurfaces = 8192;
 /// How much dearer than when it was built a tree may get by edits.
 constexpr float kRefitLoss = 1.05F;
 
+/// Surfaces that a ray meets the box of with at least this probability, once it meets anything's,
+/// are tested by all lanes at once before the tree, which does without them.
+constexpr double kWideShare = 0.5;
+
+/// Half the surface of what holds all of `boxes`, or of one box alone.
+double half_surface(std::span<const BvhBox> boxes) {
+  double size[3];
+  for (int a = 0; a < 3; ++a) {
+    float lo = boxes[0].lo[a], hi = boxes[0].hi[a];
+    for (const BvhBox& b : boxes) {
+      lo = std::min(lo, b.lo[a]);
+      hi = std::max(hi, b.hi[a]);
+    }
+    size[a] = double(hi) - double(lo);
+  }
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+/// Takes the wide surfaces of `part` out of the boxes; returns the surfaces that the rest are of.
+template <class T>
+std::vector<std::uint32_t> split_wide(std::vector<BvhBox>& boxes, std::vector<BvhBox>& boxes_end,
+                                      GeometryPart<T>& part) {
+  const double least = kWideShare * half_surface(boxes);
+  std::vector<std::uint32_t> rest;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const bool mesh = static_cast<PrimitiveKind>(part.kind[i]) == PrimitiveKind::Mesh;
+    if (!mesh && half_surface({&boxes[i], 1}) >= least) {
+      part.wide.push_back(i);
+      continue;
+    }
+    boxes[rest.size()] = boxes[i];
+    if (!boxes_end.empty()) boxes_end[rest.size()] = boxes_end[i];
+    rest.push_back(i);
+  }
+  boxes.resize(rest.size());
+  if (!boxes_end.empty()) boxes_end.resize(rest.size());
+  return rest;
+}
+
 /// The tree over the surfaces of `part`: the previous one fitted to them, or a new one.
 template <class T>
-void find_tree(const GeometryPart<T>* previous, const std::vector<BvhBox>& boxes,
-               const std::vector<BvhBox>& boxes_end, GeometryPart<T>& part) {
+void find_tree(const GeometryPart<T>* previous, std::vector<BvhBox>& boxes,
+               std::vector<BvhBox>& boxes_end, GeometryPart<T>& part) {
   const bool many = boxes.size() >= kManySurfaces;
   if (many && previous != nullptr && previous->tree.items.size() == boxes.size()) {
     part.tree = previous->tree;
@@ -87,7 +126,13 @@ void find_tree(const GeometryPart<T>* previous, const std::vector<BvhBox>& boxes
     refit_bvh(part.tree, boxes, boxes_end, BvhLeaf::Items);
     if (expected_cost(part.tree, BvhLeaf::Items) <= kRefitLoss * part.built_cost) return;
   }
-  Team team(many ? 0 : 1);
+  if (!many) {
+    const std::vector<std::uint32_t> rest = split_wide(boxes, boxes_end, part);
+    part.tree = build_bvh(boxes, boxes_end, BvhLeaf::Items);
+    for (std::uint32_t& item : part.tree.items) item = rest[item];
+    return;
+  }
+  Team team(0);
   part.tree = build_bvh(boxes, boxes_end, BvhLeaf::Items, team);
   part.built_cost = expected_cost(part.tree, BvhLeaf::Items);
 }

@@ -127,6 +127,9 @@ struct SceneView {
   const BvhMotion* motion = nullptr;      ///< null unless something moves
   const std::uint32_t* leaves = nullptr;  ///< primitive indices in leaf order
   bool beyond_cache = false;              ///< nodes are worth asking for ahead
+  /// Surfaces that nearly every ray comes near: tested before the tree, which does without them.
+  std::uint32_t wide_count = 0;
+  const std::uint32_t* wide = nullptr;
 
   const T* materials = nullptr;
   const T* material_columns = nullptr;  ///< null where materials are too many

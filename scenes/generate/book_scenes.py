@@ -59,9 +59,10 @@ def small_spheres(draw, bouncing):
 
 def sphere_field(draw, ground, textures, sky, resolution, bouncing):
     materials, objects = small_spheres(draw, bouncing)
+    roulette = {} if bouncing else {"rouletteDepth": 8}  # docs/performance.md
     scene = {
         "camera": lens(),
-        "render": {"resolution": resolution, "spp": 500, "maxDepth": 50},
+        "render": {"resolution": resolution, "spp": 500, "maxDepth": 50} | roulette,
         "environment": sky,
         "textures": textures,
         "materials": [ground] + [{"name": name} | look for name, _, look in BIG_SPHERES] + materials,
