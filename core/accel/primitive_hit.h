@@ -8,13 +8,11 @@ LIGHTBENCH_KERNEL_BEGIN
 
 /// Interval of a solid of the given kind. Inlined by force: else trees of spheres are 2 % slower.
 template <PrimitiveKind kKind>
-[[gnu::always_inline]] inline Interval solid_interval(const SceneView<T>& scene, const auto& shape,
-                                                      const Ray& ray) {
-  if constexpr (kKind == PrimitiveKind::Sphere)
-    return hit_sphere(shape, ray, hit_quality(scene)).span;
+[[gnu::always_inline]] inline Interval solid_interval(const auto& shape, const Ray& ray,
+                                                      HitQuality quality) {
+  if constexpr (kKind == PrimitiveKind::Sphere) return hit_sphere(shape, ray, quality).span;
   if constexpr (kKind == PrimitiveKind::Ellipsoid) return hit_ellipsoid(shape, ray).span;
-  if constexpr (kKind == PrimitiveKind::Cylinder)
-    return hit_cylinder(shape, ray, hit_quality(scene));
+  if constexpr (kKind == PrimitiveKind::Cylinder) return hit_cylinder(shape, ray, quality);
   if constexpr (kKind == PrimitiveKind::EllipticCylinder) return hit_elliptic_cylinder(shape, ray);
   if constexpr (kKind == PrimitiveKind::Pyramid) return hit_pyramid(shape, ray);
   if constexpr (kKind == PrimitiveKind::Box) return hit_box(shape, ray);
@@ -52,7 +50,7 @@ inline Interval solid_interval(const SceneView<T>& scene, std::uint32_t i, const
       return {Real(0), Real(0), Mask(false)};
     } else {
       const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
-      return solid_interval<kKind>(scene, shape, ray);
+      return solid_interval<kKind>(shape, ray, hit_quality(scene));
     }
   });
 }
@@ -63,8 +61,8 @@ enum class TestOrder { Rising, Any };
 
 /// Rays against analytic primitives, whose index is `id` and whose numbers are `shape`.
 template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
-inline void test_shape(const SceneView<T>& scene, Int id, const auto& shape, const Ray& ray,
-                       Mask active, NearestHit& hit) {
+inline void test_shape(Int id, const auto& shape, const Ray& ray, HitQuality quality, Mask active,
+                       NearestHit& hit) {
   const Mask self = ray.from == id;
   const auto report = [&](Real t, Mask m) {
     Mask nearer = t < hit.t;
@@ -88,7 +86,7 @@ inline void test_shape(const SceneView<T>& scene, Int id, const auto& shape, con
       report(h.t, h.hit && !barred && h.t > Real(0));
     }
   } else {
-    const Interval s = solid_interval<kKind>(scene, shape, ray);
+    const Interval s = solid_interval<kKind>(shape, ray, quality);
     Mask entry = s.hit && s.near > Real(0) && !self;
     Mask exit = s.hit && s.far > Real(0) && (!self || ray.inside);
     if (kShadow) {
@@ -103,19 +101,25 @@ inline void test_shape(const SceneView<T>& scene, Int id, const auto& shape, con
 /// Ray against analytic primitive i in all active lanes. Inlined by force: it has several callers.
 template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
 [[gnu::always_inline]] inline void test_primitive(const SceneView<T>& scene, std::uint32_t i,
-                                                  const Ray& ray, Mask active, NearestHit& hit) {
+                                                  const Ray& ray, HitQuality quality, Mask active,
+                                                  NearestHit& hit) {
   const auto shape = shape_at<kKind>(Row{scene.rows + scene.row[i]}, ray.time);
-  test_shape<kShadow, kKind, kOrder>(scene, Int(i), shape, ray, active, hit);
+  test_shape<kShadow, kKind, kOrder>(Int(i), shape, ray, quality, active, hit);
+}
+template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
+[[gnu::always_inline]] inline void test_primitive(const SceneView<T>& scene, std::uint32_t i,
+                                                  const Ray& ray, Mask active, NearestHit& hit) {
+  test_primitive<kShadow, kKind, kOrder>(scene, i, ray, hit_quality(scene), active, hit);
 }
 
 /// Surfaces [begin, end), all of one kind. Out of line, so that a kind which the scene lacks costs
 /// the one comparison of test_kind().
-template <bool kShadow, PrimitiveKind kKind>
+template <bool kShadow, PrimitiveKind kKind, HitQuality kQuality>
 [[gnu::noinline]] inline void test_run(const SceneView<T>& scene, std::uint32_t begin,
                                        std::uint32_t end, const Ray& ray, Mask active,
                                        NearestHit& hit) {
   for (std::uint32_t i = begin; i < end; ++i)
-    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, active, hit);
+    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, kQuality, active, hit);
 }
 
 /// All surfaces of one kind; for shadow rays, all that can be in the way.
@@ -124,7 +128,12 @@ inline void test_kind(const SceneView<T>& scene, const Ray& ray, Mask active, Ne
   constexpr auto k = static_cast<unsigned>(kKind);
   const std::uint32_t begin = scene.kind_begin[k];
   const std::uint32_t end = kShadow ? scene.occluders_end[k] : scene.kind_begin[k + 1];
-  if (begin < end) test_run<kShadow, kKind>(scene, begin, end, ray, active, hit);
+  if (begin >= end) return;
+  if constexpr (kKind == PrimitiveKind::Sphere || kKind == PrimitiveKind::Cylinder) {
+    if (uses(scene, Feature::RefinedHits))
+      return test_run<kShadow, kKind, HitQuality::Refined>(scene, begin, end, ray, active, hit);
+  }
+  test_run<kShadow, kKind, HitQuality::Plain>(scene, begin, end, ray, active, hit);
 }
 
 /// Every surface against all lanes.

@@ -152,7 +152,7 @@ void visit_items(const SceneView<T>& scene, const RayTable& rays, const Ray& ray
       // The other lanes read from the first row on: there are as many numbers as one row has.
       const GatheredRow row{scene.rows, select(m, row_offsets<kKind>(scene, id), Int(0U))};
       const auto shape = shape_at<kKind>(row, ray.time, scene.camera.moving);
-      test_shape<kShadow, kKind, TestOrder::Any>(scene, id, shape, ray, m, hit);
+      test_shape<kShadow, kKind, TestOrder::Any>(id, shape, ray, hit_quality(scene), m, hit);
     }
   });
   store(w.t, hit.t);
