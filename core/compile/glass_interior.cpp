@@ -38,7 +38,9 @@ bool is_clear_glass(const Material& m) {
 ObjectBoxes::ObjectBoxes(const Scene& scene) : scene_(scene) {
   const auto& objects = scene.objects;
   const bool needed = std::any_of(objects.begin(), objects.end(), [&](const Object& o) {
-    return o.visible && is_clear_glass(scene.materials[static_cast<std::size_t>(o.material)]);
+    // The boundary of a medium needs no material.
+    return o.visible && o.material != kNone &&
+           is_clear_glass(scene.materials[static_cast<std::size_t>(o.material)]);
   });
   if (!needed) return;
   const std::vector<Bounds> meshes = all_mesh_bounds(scene);
