@@ -34,7 +34,8 @@ inline float half_area(const BvhBox& b) {
 /// (docs/performance.md).
 inline float leaf_cost(BvhLeaf leaf, std::uint32_t n) {
   if (leaf == BvhLeaf::Items) return 1.25F * static_cast<float>(n);
-  return static_cast<float>((n + kBvhWidth - 1) / kBvhWidth);
+  const std::uint32_t blocks = (n + kBvhWidth - 1) / kBvhWidth;
+  return static_cast<float>(blocks);
 }
 
 /// `boxes` must not be empty.
