@@ -9,13 +9,11 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// Estimate of the irradiance that the lanes' own node sheds on the point. A row is
+/// Estimate of the irradiance that a node sheds on the point. Its row is
 ///   0..2 centre and 3 radius of a ball around the lights, 4 their weight, 5..7 axis, 8 cosine and
 ///   9 sine of a cone around their normals, 10 a quarter of the inverse of the radius.
 /// As for single lights, but that the cosine at the lights is the best that cone and ball allow.
-inline Real cluster_contribution(const SceneView<T>& scene, Int node, const Chooser& at) {
-  const Int base = node * Int(kLightNodeStride);
-  const auto number = [&](unsigned k) { return gather(scene.light_nodes + k, base); };
+inline Real cluster_contribution(const auto& number, const Chooser& at) {
   const Vec d = Vec{number(0), number(1), number(2)} - at.p;
   const Real r = number(3), rr = r * r;
   const Real d2 = max(length_squared(d), rr * T(1e-4)), sum = d2 + rr;
@@ -35,13 +33,34 @@ inline Real cluster_contribution(const SceneView<T>& scene, Int node, const Choo
   return number(4) * receiver * emitted / (distance * sum);
 }
 
-/// Both halves of the lanes' inner nodes.
+/// As far down the lanes share what few nodes there are: each is read once and tested by all, which
+/// is cheaper than gathering every lane's own.
+inline constexpr int kSharedLevels = kLanes > 1 ? 3 : 0;
+
+/// Both halves of the lanes' inner nodes, which are `level` below the root.
 struct Halves {
   Real first, second;
 };
-inline Halves halves_of(const SceneView<T>& scene, Int children, const Chooser& at) {
-  return {cluster_contribution(scene, children, at),
-          cluster_contribution(scene, children + Int(1U), at)};
+inline Halves halves_of(const SceneView<T>& scene, Int children, const Chooser& at, int level,
+                        Mask active) {
+  if (level >= kSharedLevels) {
+    const auto of = [&](Int node) {
+      const Int base = node * Int(kLightNodeStride);
+      return cluster_contribution([&](unsigned k) { return gather(scene.light_nodes + k, base); },
+                                  at);
+    };
+    return {of(children), of(children + Int(1U))};
+  }
+  Halves halves{Real(0), Real(0)};
+  for_each_distinct(children, active, [&](std::uint32_t i, Mask m) {
+    const auto of = [&](std::uint32_t node) {
+      const T* row = scene.light_nodes + std::size_t{node} * kLightNodeStride;
+      return cluster_contribution([&](unsigned k) { return Real(row[k]); }, at);
+    };
+    halves.first = select(m, of(i), halves.first);
+    halves.second = select(m, of(i + 1), halves.second);
+  });
+  return halves;
 }
 
 /// By 32 random bits; pmf 0 where the way ended between two halves that bring nothing.
@@ -54,9 +73,9 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
   Real pmf(1);
   Int child = gather(scene.light_children, node);
   Mask inner = active && (child & Int(kLightLeaf)) == Int(0U);
-  while (any(inner)) {
+  for (int level = 0; any(inner); ++level) {
     const Int children = select(inner, child, Int(0U));
-    const Halves h = halves_of(scene, children, at);
+    const Halves h = halves_of(scene, children, at, level, inner);
     const Real total = h.first + h.second;
     const Mask some = inner && total > Real(0);
     const Real p = select(some, h.first / select(some, total, Real(1)), Real(0));
@@ -83,9 +102,9 @@ inline Real pmf_by_tree(const SceneView<T>& scene, const Chooser& at, Int light,
   Real pmf = select(known, Real(1), Real(0));
   Int child = gather(scene.light_children, Int(0U));
   Mask inner = known && (child & Int(kLightLeaf)) == Int(0U);
-  while (any(inner)) {
+  for (int level = 0; any(inner); ++level) {
     const Int children = select(inner, child, Int(0U));
-    const Halves h = halves_of(scene, children, at);
+    const Halves h = halves_of(scene, children, at, level, inner);
     const Mask second = (trail & Int(1U)) == Int(1U);
     const Real total = h.first + h.second;
     const Real p = h.first / select(total > Real(0), total, Real(1));
