@@ -16,13 +16,6 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 
 constexpr BvhBox kNowhere = {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
 
-void grow(BvhBox& a, const BvhBox& b) {
-  for (int k = 0; k < 3; ++k) {
-    a.lo[k] = std::min(a.lo[k], b.lo[k]);
-    a.hi[k] = std::max(a.hi[k], b.hi[k]);
-  }
-}
-
 /// No child of it is met by a ray.
 BvhNode unused_node() {
   BvhNode node{};

@@ -2,6 +2,7 @@
 // The bounding volume hierarchy as a value: built from boxes, it knows no shapes. Binned SAH on a
 // binary tree (bvh_binary.h), then collapsed to eight children per node at the least expected cost.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,18 @@ struct BvhBox {
   float lo[3];
   float hi[3];
 };
+/// Until `a` holds b too.
+inline void grow(BvhBox& a, const BvhBox& b) {
+  for (int k = 0; k < 3; ++k) {
+    a.lo[k] = std::min(a.lo[k], b.lo[k]);
+    a.hi[k] = std::max(a.hi[k], b.hi[k]);
+  }
+}
+/// Half the surface of a box; 0 for the empty one.
+inline float half_area(const BvhBox& b) {
+  const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
+  return x < 0 ? 0 : x * y + y * z + z * x;
+}
 BvhBox outward_box(const double (&lo)[3], const double (&hi)[3]);
 
 /// What a leaf holds: single items (each tested alone), or blocks of eight tested at once.

@@ -24,12 +24,6 @@ struct BinaryTree {
   std::vector<std::uint32_t> items;  ///< indices of boxes; a leaf's are [first, first + count)
 };
 
-/// Half the surface of a box; 0 for the empty one.
-inline float half_area(const BvhBox& b) {
-  const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
-  return x < 0 ? 0 : x * y + y * z + z * x;
-}
-
 /// What a leaf of n items costs, against 1 for a node. Single items: measured
 /// (docs/performance.md).
 inline float leaf_cost(BvhLeaf leaf, std::uint32_t n) {

@@ -78,31 +78,19 @@ constexpr float kRefitLoss = 1.05F;
 
 /// Surfaces that a ray meets the box of with at least this probability, once it meets anything's,
 /// are tested by all lanes at once before the tree, which does without them.
-constexpr double kWideShare = 0.5;
-
-/// Half the surface of what holds all of `boxes`, or of one box alone.
-double half_surface(std::span<const BvhBox> boxes) {
-  double size[3];
-  for (int a = 0; a < 3; ++a) {
-    float lo = boxes[0].lo[a], hi = boxes[0].hi[a];
-    for (const BvhBox& b : boxes) {
-      lo = std::min(lo, b.lo[a]);
-      hi = std::max(hi, b.hi[a]);
-    }
-    size[a] = double(hi) - double(lo);
-  }
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-}
+constexpr float kWideShare = 0.5F;
 
 /// Takes the wide surfaces of `part` out of the boxes; returns the surfaces that the rest are of.
 template <class T>
 std::vector<std::uint32_t> split_wide(std::vector<BvhBox>& boxes, std::vector<BvhBox>& boxes_end,
                                       GeometryPart<T>& part) {
-  const double least = kWideShare * half_surface(boxes);
+  BvhBox whole = boxes[0];
+  for (const BvhBox& box : boxes) grow(whole, box);
+  const float least = kWideShare * half_area(whole);
   std::vector<std::uint32_t> rest;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const bool mesh = static_cast<PrimitiveKind>(part.kind[i]) == PrimitiveKind::Mesh;
-    if (!mesh && half_surface({&boxes[i], 1}) >= least) {
+    if (!mesh && half_area(boxes[i]) >= least) {
       part.wide.push_back(i);
       continue;
     }

@@ -38,8 +38,10 @@ bool is_clear_glass(const Material& m) {
 ObjectBoxes::ObjectBoxes(const Scene& scene) : scene_(scene) {
   const auto& objects = scene.objects;
   const bool needed = std::any_of(objects.begin(), objects.end(), [&](const Object& o) {
+    const bool may_be_lens =
+        std::holds_alternative<SphereShape>(o.shape) || std::holds_alternative<BoxShape>(o.shape);
     // The boundary of a medium needs no material.
-    return o.visible && o.material != kNone &&
+    return may_be_lens && o.visible && o.material != kNone &&
            is_clear_glass(scene.materials[static_cast<std::size_t>(o.material)]);
   });
   if (!needed) return;

@@ -15,7 +15,8 @@ enum class Interior { Clear, Crowded, Hollow };
 /// Smooth glass of one colour, denser than what is around it.
 bool is_clear_glass(const Material& m);
 
-/// The boxes of a scene's objects, in world space. Of a scene without clear glass none are made.
+/// The boxes of a scene's objects, in world space. Of a scene without spheres and boxes of clear
+/// glass none are made.
 class ObjectBoxes {
  public:
   explicit ObjectBoxes(const Scene& scene);

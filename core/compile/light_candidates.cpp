@@ -1,11 +1,7 @@
 #include "core/compile/light_candidates.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <numbers>
-#include <optional>
 
 #include "core/compile/columns.h"
 #include "core/compile/lenses.h"
@@ -14,14 +10,11 @@
 namespace lightbench {
 namespace {
 
-using glm::cross;
 using glm::dot;
 using glm::dvec3;
-using glm::length;
-using glm::normalize;
 
 template <class T>
-void append_candidate(const Lamp& lamp, std::uint32_t light, const PlaneFace* face, int mirror,
+void append_candidate(const Lamp& lamp, std::uint32_t light, const PlaneFace* face, int via,
                       std::vector<T>& rows) {
   const LightPlacement& p = lamp.place;
   dvec3 center = p.center, normal = p.normal, window(0), extent(0);
@@ -54,7 +47,7 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const PlaneFace* fa
                                                  radius,
                                                  weight,
                                                  double(light),
-                                                 double(mirror),
+                                                 double(via),
                                                  lamp.two_sided ? 1.0 : 0.0,
                                                  window.x,
                                                  window.y,
@@ -108,14 +101,15 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
     lights.image_candidate.insert(lights.image_candidate.end(), of_lights.begin(), of_lights.end());
     return true;
   };
+  // Beyond glass lights are met by rays of their own, which meet no meshes.
+  const auto is_mesh = [&](std::size_t l) {
+    return static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]) == PrimitiveKind::Mesh;
+  };
   const auto add_face = [&](const PlaneFace& face) {
     const auto number = static_cast<int>(lights.face_end.size());
     const bool added = add_images(
         [&](std::size_t l) {
-          // Meshes are not met by rays of their own beyond the glass.
-          const bool mesh =
-              static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]) == PrimitiveKind::Mesh;
-          return lights.primitive[l] != face.primitive && !(mesh && face.thickness > 0) &&
+          return lights.primitive[l] != face.primitive && !(face.thickness > 0 && is_mesh(l)) &&
                  can_light(lamps[l], face);
         },
         [&](std::size_t l) {
@@ -133,17 +127,14 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
   lights.first_lens_candidate = candidates;
   for (const GlassSphere& sphere : glass_spheres(scene, geometry, boxes)) {
     const auto lens = static_cast<int>(lights.face_end.size() + lights.lens_end.size());
-    const bool added = add_images(
-        [&](std::size_t l) {
-          const auto kind = static_cast<PrimitiveKind>(geometry.kind[lights.primitive[l]]);
-          return kind != PrimitiveKind::Mesh && can_light(lamps[l], sphere);
-        },
-        [&](std::size_t l) {
-          append_candidate(lamps[l], light_index(l), sphere, lens, lights.candidates);
-          for (const double x : lens_table(lamps[l], sphere)) {
-            lights.lens_tables.push_back(static_cast<T>(x));
-          }
-        });
+    const bool added =
+        add_images([&](std::size_t l) { return !is_mesh(l) && can_light(lamps[l], sphere); },
+                   [&](std::size_t l) {
+                     append_candidate(lamps[l], light_index(l), sphere, lens, lights.candidates);
+                     for (const double x : lens_table(lamps[l], sphere)) {
+                       lights.lens_tables.push_back(static_cast<T>(x));
+                     }
+                   });
     if (!added) continue;
     lights.lens_end.push_back(candidates);
     append_lens(sphere, geometry.offset[sphere.primitive], lights.lenses);

@@ -21,6 +21,7 @@ std::vector<dvec3> corners(const PlaneFace& f) {
   return {f.origin, f.origin + f.u, f.origin + f.v, f.origin + f.u + f.v};
 }
 
+/// Both sides of each axis.
 template <class T>
 std::vector<PlaneFace> box_faces(const Numbers<T>& row, std::uint32_t primitive,
                                  const dvec3& color) {
@@ -45,17 +46,21 @@ template <class T>
 std::vector<PlaneFace> pane_faces(const Scene& scene, const GeometryPart<T>& geometry,
                                   const ObjectBoxes& boxes) {
   std::vector<PlaneFace> faces;
-  for (std::uint32_t i = 0; i < geometry.surface_count && faces.size() < kMaxLightCandidates; ++i) {
+  unsigned seen = 0;
+  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxLightCandidates; ++i) {
     if (static_cast<PrimitiveKind>(geometry.kind[i]) != PrimitiveKind::Box) continue;
     const auto object = static_cast<std::size_t>(geometry.object[i]);
     const Material& m = scene.materials[static_cast<std::size_t>(scene.objects[object].material)];
     if (!is_clear_glass(m)) continue;
+    ++seen;
     const Interior interior = boxes.interior(object);
     if (interior == Interior::Hollow) continue;
     const Numbers<T> row(&geometry.rows[geometry.row[i]]);
-    for (PlaneFace& face : box_faces(row, i, m.base_color * m.base_color)) {
+    const std::vector<PlaneFace> sides = box_faces(row, i, m.base_color * m.base_color);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      PlaneFace face = sides[k];
       if (!boxes.any_before(object, face.n, geometry.space.to_scene(face.origin))) continue;
-      face.thickness = 2 * std::abs(dot(face.n, row.vec(0) - face.origin));
+      face.thickness = 2 * row[12 + k / 2];
       face.ior = m.ior;
       face.crowded = interior == Interior::Crowded;
       faces.push_back(face);

@@ -31,8 +31,8 @@ struct PlaneFace {
 template <class T>
 std::vector<PlaneFace> mirror_faces(const Scene& scene, const GeometryPart<T>& geometry);
 
-/// The faces of boxes of clear glass, but for hollow ones, that anything is before; of more than
-/// kMaxLightCandidates none can be used, and few more are given.
+/// The faces of boxes of clear glass, of the scene's first kMaxLightCandidates but for hollow
+/// ones, that anything is before.
 template <class T>
 std::vector<PlaneFace> pane_faces(const Scene& scene, const GeometryPart<T>& geometry,
                                   const ObjectBoxes& boxes);

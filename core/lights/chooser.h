@@ -24,7 +24,7 @@ struct Chooser {
 inline std::uint32_t via_of(T number) {
   return number < T(0) ? kStraight : static_cast<std::uint32_t>(number);
 }
-/// Both of them sides of a box or lens of glass.
+/// Through a box of glass, or a sphere.
 inline Mask is_pane(const SceneView<T>& scene, Int via) {
   return via >= Int(scene.mirror_count) && via < Int(scene.face_count);
 }

@@ -24,13 +24,21 @@ inline Vec seen_through(const Face& pane, Vec image, Vec p) {
   const Real aside = length(madd(pane.n, -dot(pane.n, to), to));
   const Real ior2 = pane.ior * pane.ior;
   Real shift = upright;
-  // The shift changes little from step to step; any would do, only with more rays in vain.
+  // As many steps everywhere: any shift would do, a poor one only with more rays in vain.
   for (int i = 0; i < 3; ++i) {
     const Real tangent = aside / max(depth - shift, pane.thickness * T(1e-3));
     const Real within = Real(1) / sqrt(fma(tangent * tangent, ior2 - Real(1), ior2));
     shift = pane.thickness * (Real(1) - within);
   }
   return madd(pane.n, -shift, p);
+}
+
+/// The same for points that have chosen the light through the pane; the pairs have candidates.
+[[gnu::noinline]] inline Vec seen_by_pane(const SceneView<T>& scene, const Chooser& at, Int light,
+                                          Int via, Mask active) {
+  const Int candidate = candidate_of(scene, light, via, active);
+  return seen_through(faces_of(scene, via, active), candidates_of(scene, candidate, active).vec(0),
+                      at.p);
 }
 
 inline GlassWay way_through(const Face& pane, Vec from, Vec d) {
@@ -52,14 +60,6 @@ inline GlassWay way_through(const Face& pane, Vec from, Vec d) {
   w.valid = place.z > Real(0) && cosine > Real(0) && within_outline(pane, in.x, in.y) &&
             within_outline(pane, out.x, out.y);
   return w;
-}
-
-/// The same for points that have chosen the light through the pane; the pairs have candidates.
-[[gnu::noinline]] inline Vec seen_by_pane(const SceneView<T>& scene, const Chooser& at, Int light,
-                                          Int via, Mask active) {
-  const Int candidate = candidate_of(scene, light, via, active);
-  return seen_through(faces_of(scene, via, active), candidates_of(scene, candidate, active).vec(0),
-                      at.p);
 }
 
 /// Density of direction d for a point that has chosen the light through the pane; 0 where that has
