@@ -122,15 +122,6 @@ void visit_block(Walks& w, unsigned lane) {
   take_next(w, lane);
 }
 
-/// The rows of the lanes' own primitives, number by number. Gathers: sixteen different rows of few
-/// numbers each, which merged_rows() would go through one by one.
-struct GatheredRow {
-  const T* rows;
-  Int offset;
-  Real operator[](unsigned i) const { return gather(rows + i, offset); }
-  [[nodiscard]] Vec vec(unsigned i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
-};
-
 /// Only hits before hit.t count from now on.
 inline void set_limits(Walks& w, Real t) {
   store(w.boxes.reach, min(t, Real(kFarthest)));

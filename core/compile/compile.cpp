@@ -108,6 +108,8 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.candidate_count = v.direct_candidates;
     v.light_candidates = p.lights->candidates.data();
     if (!p.lights->tree_child.empty()) {
+      v.light_cluster_bits = p.lights->tree_cluster_bits;
+      v.light_clusters = 1U << v.light_cluster_bits;
       v.light_nodes = p.lights->tree_rows.data();
       v.light_children = p.lights->tree_child.data();
       v.light_trail = p.lights->tree_trail.data();

@@ -182,7 +182,7 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
     }
   }
   const std::vector<Lamp> lamps = find_lamps(scene, geometry, *part);
-  if (lamps.size() > kMostCandidateLights) {
+  if (lamps.size() > kMaxLightCandidates) {
     add_light_tree(lamps, *part);
   } else {
     add_light_candidates(scene, geometry, lamps, *part);

@@ -35,7 +35,7 @@ std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>
                                        const ObjectBoxes& boxes) {
   std::vector<GlassSphere> spheres;
   unsigned seen = 0;
-  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxLightCandidates; ++i) {
+  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxWithImages; ++i) {
     if (static_cast<PrimitiveKind>(geometry.kind[i]) != PrimitiveKind::Sphere) continue;
     const auto object = static_cast<std::size_t>(geometry.object[i]);
     const Material& m = scene.materials[static_cast<std::size_t>(scene.objects[object].material)];

@@ -24,7 +24,7 @@ struct GlassSphere {
   [[nodiscard]] glm::dvec3 middle() const { return center + 0.5 * motion; }
 };
 
-/// The scene's first kMaxLightCandidates, more cannot be used, but for hollow ones.
+/// The scene's first kMaxWithImages, more cannot be used, but for hollow ones.
 template <class T>
 std::vector<GlassSphere> glass_spheres(const Scene& scene, const GeometryPart<T>& geometry,
                                        const ObjectBoxes& boxes);

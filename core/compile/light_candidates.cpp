@@ -38,25 +38,15 @@ void append_candidate(const Lamp& lamp, std::uint32_t light, const PlaneFace* fa
     weight *= luminance(face->color);
   }
   const double radius = p.radius();
-  const double numbers[kLightCandidateStride] = {center.x,
-                                                 center.y,
-                                                 center.z,
-                                                 normal.x,
-                                                 normal.y,
-                                                 normal.z,
-                                                 radius,
-                                                 weight,
-                                                 double(light),
-                                                 double(via),
-                                                 lamp.two_sided ? 1.0 : 0.0,
-                                                 window.x,
-                                                 window.y,
-                                                 window.z,
-                                                 extent.x,
-                                                 extent.y,
-                                                 extent.z,
-                                                 face != nullptr ? 1 / window.z : 0.0,
-                                                 0.25 / radius};
+  const float shines = p.normal == dvec3(0) ? kSolid : lamp.two_sided ? kTwoSided : kOneSided;
+  const double numbers[kLightCandidateStride] = {
+      center.x,     center.y,       center.z,
+      normal.x,     normal.y,       normal.z,
+      radius,       weight,         double(light),
+      double(via),  double(shines), window.x,
+      window.y,     window.z,       extent.x,
+      extent.y,     extent.z,       face != nullptr ? 1 / window.z : 0.0,
+      0.25 / radius};
   for (const double x : numbers) rows.push_back(static_cast<T>(x));
 }
 
@@ -93,7 +83,7 @@ void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,
     for (std::size_t l = 0; l < count; ++l) {
       if (lamps[l].weight > 0 && can_light(l)) of_lights[l] = end++;
     }
-    if (end == candidates || end > kMaxLightCandidates) return false;
+    if (end == candidates || end > kMaxWithImages) return false;
     for (std::size_t l = 0; l < count; ++l) {
       if (of_lights[l] != kNoLight) append(l);
     }

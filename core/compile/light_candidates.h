@@ -8,10 +8,7 @@
 
 namespace lightbench {
 
-/// More lights than this are chosen by a tree: each costs some nanoseconds at every vertex.
-inline constexpr std::size_t kMostCandidateLights = 16;
-
-/// Fills the candidates of `lights`, kMostCandidateLights at most; none where there is nothing to
+/// Fills the candidates of `lights`, kMaxLightCandidates at most; none where there is nothing to
 /// choose (one light, no mirror and no glass).
 template <class T>
 void add_light_candidates(const Scene& scene, const GeometryPart<T>& geometry,

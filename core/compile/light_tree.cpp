@@ -45,6 +45,8 @@ Cluster cluster_of(const std::vector<Lamp>& lamps, std::span<const std::uint32_t
     for (const std::uint32_t i : members) {
       c.cosine = std::min(c.cosine, dot(c.axis, lamps[i].place.normal));
     }
+    // A cone of more than a half turn says too little for what it costs.
+    if (c.cosine < 0) c.cosine = -1;
   }
   return c;
 }
@@ -54,37 +56,50 @@ class Builder {
  public:
   Builder(const std::vector<Lamp>& lamps, LightPart<T>& lights) : lamps_(lamps), lights_(lights) {}
 
+  /// Level by level; the levels of up to as many nodes as there are lamps are full, for nodes are
+  /// halved by count.
   void build(std::span<std::uint32_t> members) {
+    while (2U << lights_.tree_cluster_bits <=
+           std::min<std::size_t>(members.size(), kMaxLightCandidates)) {
+      ++lights_.tree_cluster_bits;
+    }
     lights_.tree_trail.assign(lamps_.size(), kNoTrail);
-    lights_.tree_rows.resize(kLightNodeStride);
-    lights_.tree_child.resize(1);
-    fill(0, members, 0, 0);
+    std::vector<Node> nodes{{members, 0, 0}};
+    nodes.reserve(2 * members.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Node node = nodes[i];
+      append_row(cluster_of(lamps_, node.members));
+      if (node.members.size() == 1) {
+        lights_.tree_child.push_back(kLightLeaf | node.members[0]);
+        lights_.tree_trail[node.members[0]] = node.trail;
+        continue;
+      }
+      lights_.tree_child.push_back(static_cast<std::uint32_t>(nodes.size()));
+      const std::size_t half = split(node.members);
+      nodes.push_back({node.members.first(half), first_half(node), node.depth + 1});
+      nodes.push_back({node.members.subspan(half), second_half(node), node.depth + 1});
+    }
   }
 
  private:
-  /// `trail` has a bit for each turn on the way to the node, the first one lowest.
-  void fill(std::size_t node, std::span<std::uint32_t> members, std::uint32_t trail,
-            unsigned depth) {
-    const Cluster c = cluster_of(lamps_, members);
+  struct Node {
+    std::span<std::uint32_t> members;
+    std::uint32_t trail;  ///< down to the clusters the number within the level, then a bit a turn
+    unsigned depth;
+  };
+  [[nodiscard]] std::uint32_t first_half(const Node& n) const {
+    return n.depth < lights_.tree_cluster_bits ? 2 * n.trail : n.trail;
+  }
+  [[nodiscard]] std::uint32_t second_half(const Node& n) const {
+    return n.depth < lights_.tree_cluster_bits ? 2 * n.trail + 1 : n.trail | 1U << n.depth;
+  }
+
+  void append_row(const Cluster& c) {
     const double sine = std::sqrt(std::max(0.0, 1 - c.cosine * c.cosine));
     const double numbers[kLightNodeStride] = {c.center.x, c.center.y, c.center.z,     c.radius,
                                               c.weight,   c.axis.x,   c.axis.y,       c.axis.z,
                                               c.cosine,   sine,       0.25 / c.radius};
-    std::transform(std::begin(numbers), std::end(numbers),
-                   lights_.tree_rows.begin() + static_cast<std::ptrdiff_t>(node * kLightNodeStride),
-                   [](double x) { return static_cast<T>(x); });
-    if (members.size() == 1) {
-      lights_.tree_child[node] = kLightLeaf | members[0];
-      lights_.tree_trail[members[0]] = trail;
-      return;
-    }
-    const auto children = static_cast<std::uint32_t>(lights_.tree_child.size());
-    lights_.tree_child[node] = children;
-    lights_.tree_child.resize(children + 2U);
-    lights_.tree_rows.resize(std::size_t{kLightNodeStride} * (children + 2U));
-    const std::size_t half = split(members);
-    fill(children, members.first(half), trail, depth + 1);
-    fill(children + 1U, members.subspan(half), trail | 1U << depth, depth + 1);
+    for (const double x : numbers) lights_.tree_rows.push_back(static_cast<T>(x));
   }
 
   std::size_t split(std::span<std::uint32_t> members) const {

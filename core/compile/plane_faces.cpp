@@ -47,7 +47,7 @@ std::vector<PlaneFace> pane_faces(const Scene& scene, const GeometryPart<T>& geo
                                   const ObjectBoxes& boxes) {
   std::vector<PlaneFace> faces;
   unsigned seen = 0;
-  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxLightCandidates; ++i) {
+  for (std::uint32_t i = 0; i < geometry.surface_count && seen < kMaxWithImages; ++i) {
     if (static_cast<PrimitiveKind>(geometry.kind[i]) != PrimitiveKind::Box) continue;
     const auto object = static_cast<std::size_t>(geometry.object[i]);
     const Material& m = scene.materials[static_cast<std::size_t>(scene.objects[object].material)];

@@ -31,7 +31,7 @@ struct PlaneFace {
 template <class T>
 std::vector<PlaneFace> mirror_faces(const Scene& scene, const GeometryPart<T>& geometry);
 
-/// The faces of boxes of clear glass, of the scene's first kMaxLightCandidates but for hollow
+/// The faces of boxes of clear glass, of the scene's first kMaxWithImages but for hollow
 /// ones, that anything is before.
 template <class T>
 std::vector<PlaneFace> pane_faces(const Scene& scene, const GeometryPart<T>& geometry,

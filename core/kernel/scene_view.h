@@ -35,8 +35,11 @@ inline constexpr unsigned kMaterialStride = 16;
 /// Rows of tables that are stored by columns too.
 inline constexpr unsigned kColumnRows = 16;
 inline constexpr unsigned kTextureStride = 16;
-/// Lights and their images in mirrors and glass that are chosen between by contribution, at most.
-inline constexpr unsigned kMaxLightCandidates = 32;
+/// Lights that are chosen between by contribution one by one, at most; and how many there may be
+/// with their images in mirrors and glass, which cost several times as much.
+inline constexpr unsigned kMaxLightCandidates = 64, kMaxWithImages = 32;
+/// How candidates shine.
+inline constexpr float kOneSided = 0, kTwoSided = 1, kSolid = 2;
 inline constexpr unsigned kLightCandidateStride = 19;
 inline constexpr unsigned kFaceStride = 21;
 inline constexpr unsigned kLensStride = 14;
@@ -167,9 +170,12 @@ struct SceneView {
   const std::uint32_t* lens_end = nullptr;  ///< past the last candidate of each lens
 
   // By a tree instead, where there are many lights (core/lights/light_tree.h).
+  // Level by level; points choose among the clusters of the last full level of at most
+  // kMaxLightCandidates first, which are nodes light_clusters - 1 and on.
+  std::uint32_t light_clusters = 0, light_cluster_bits = 0;
   const T* light_nodes = nullptr;
   const std::uint32_t* light_children = nullptr;  ///< first of two, or kLightLeaf | light
-  const std::uint32_t* light_trail = nullptr;     ///< turns from the root to each light
+  const std::uint32_t* light_trail = nullptr;     ///< number of each light's cluster, then turns
 
   std::uint32_t medium_count = 0;
   const MediumView<T>* media = nullptr;

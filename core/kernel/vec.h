@@ -76,6 +76,18 @@ struct Row {
   const T* base;
   Real operator[](unsigned i) const { return Real(base[i]); }
   [[nodiscard]] Vec vec(unsigned i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  /// Whether number i is less than x; one test for all lanes here.
+  [[nodiscard]] Mask below(unsigned i, T x) const { return Mask(base[i] < x); }
+};
+
+/// The lanes' own rows of a table of T, gathered number by number: for many different rows of which
+/// few numbers are read, which merged_rows() would go through one by one.
+struct GatheredRow {
+  const T* rows;
+  Int offset;
+  Real operator[](unsigned i) const { return gather(rows + i, offset); }
+  [[nodiscard]] Vec vec(unsigned i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  [[nodiscard]] Mask below(unsigned i, T x) const { return (*this)[i] < Real(x); }
 };
 
 /// Calls f(value, lanes) once for each distinct value of `id` among the active lanes: what follows
@@ -100,6 +112,7 @@ struct LaneRow {
   Real numbers[kSize];
   Real operator[](unsigned i) const { return numbers[i]; }
   [[nodiscard]] Vec vec(unsigned i) const { return {numbers[i], numbers[i + 1], numbers[i + 2]}; }
+  [[nodiscard]] Mask below(unsigned i, T x) const { return numbers[i] < Real(x); }
 };
 
 /// The rows that `row(id)` points to; some lane is active. Masked loads of each distinct row cost

@@ -41,4 +41,33 @@ inline Real clipped_height(Real height, Real r, Real quarter) {
   return fma(above * above, quarter, max(height - r, Real(0)));
 }
 
+/// What each of several lights or clusters would bring to the point, and the sum of all.
+struct Contributions {
+  Real of[kMaxLightCandidates];
+  Real total;
+};
+
+/// What was picked brings `value`; what stands before it brings `before`.
+struct Picked {
+  Real value, before;
+};
+/// Picks one of the first `count` in proportion to what they bring, by u in [0,1): calls
+/// f(i, lanes) for every i, the last call for a lane is with what it picked. Nothing is picked, and
+/// the value is 0, where all bring nothing.
+template <class F>
+Picked pick(const Contributions& c, Real u, std::uint32_t count, F f) {
+  const Real wanted = u * c.total;
+  Real begin(0);
+  Picked picked{Real(0), Real(0)};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    // The last of those that begin before the wanted place.
+    const Mask m = c.of[i] > Real(0) && wanted >= begin;
+    picked.before = select(m, begin, picked.before);
+    picked.value = select(m, c.of[i], picked.value);
+    begin += c.of[i];
+    f(i, m);
+  }
+  return picked;
+}
+
 LIGHTBENCH_KERNEL_END

@@ -31,8 +31,8 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
 /// for factors common to all. `c` reads a row (Row or LaneRow):
 ///   0..2 centre, 3..5 normal (0 for solids), 6 radius, 7 emitted luminance times area seen from
-///   the front, 8 light, 9 face or -1, 10 two-sided, 11..17 its window (core/lights/face.h),
-///   18 a quarter of the inverse of its radius.
+///   the front, 8 light, 9 face or -1, 10 kOneSided, kTwoSided or kSolid, 11..17 its window
+///   (core/lights/face.h), 18 a quarter of the inverse of its radius.
 /// Seen through a lens (core/lights/lens.h) instead: 10 the inverse of its distance from the lens,
 ///   11..18 the light's part of g at the nodes.
 /// Of an image in a mirror the centre and the normal are mirrored; of one through a pane the centre
@@ -40,16 +40,18 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
 /// mean of the clipped heights within the radius; d^2 + r^2 makes it exact for a disc over the
 /// point.
 inline Real contribution(const auto& c, const Chooser& at) {
-  const Vec d = c.vec(0) - at.p, n = c.vec(3);
+  const Vec d = c.vec(0) - at.p;
   const Real r = c[6], rr = r * r;
   const Real d2 = max(length_squared(d), rr * T(1e-4)), sum = d2 + rr;
   const Real falloff = Real(1) / (d2 * sum);
-  const Mask flat = length_squared(n) > Real(0), in_medium = looks_all_around(at);
-  Real receiver = clipped_height(dot(at.n, d), r, c[18]);
-  Real height = -dot(n, d);
-  height = select(c[10] > Real(0), abs(height), height);
-  // Near a flat light its far parts are seen less steeply than its centre.
-  height = select(height > Real(0), fma(r, min(rr * sum * falloff, Real(1)), height), Real(0));
+  Real receiver = clipped_height(dot(at.n, d), r, c[18]), height(0);
+  const Mask flat = c.below(10, kSolid), in_medium = looks_all_around(at);
+  if (any(flat)) {
+    height = -dot(c.vec(3), d);
+    height = select(c.below(10, kTwoSided), height, abs(height));
+    // Near a flat light its far parts are seen less steeply than its centre.
+    height = select(height > Real(0), fma(r, min(rr * sum * falloff, Real(1)), height), Real(0));
+  }
   if (any(!flat || in_medium)) {
     const Real distance = sqrt(d2);
     height = select(flat, height, distance);
@@ -58,11 +60,6 @@ inline Real contribution(const auto& c, const Chooser& at) {
   return c[7] * receiver * height * falloff;
 }
 
-/// All candidates' estimates, and their sum.
-struct Contributions {
-  Real of[kMaxLightCandidates];
-  Real total;
-};
 /// Of the candidates from number i on. Out of line: most scenes have none.
 [[gnu::noinline]] inline void add_lens_contributions(const SceneView<T>& scene, const Chooser& at,
                                                      std::uint32_t i, Contributions& c) {
@@ -106,21 +103,15 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
 inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Chooser& at, Int random,
                                           Real& scale) {
   const Contributions c = contributions(scene, at);
-  const Real wanted = unit_from_bits(random) * c.total;
-  Real before(0), taken(0);
   LightChoice choice{Int(0U), Int(kStraight), Real(0)};
-  const std::uint32_t count = scene.candidate_count;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const T* row = scene.light_candidates + i * kLightCandidateStride;
-    // The last of those that begin before the wanted place.
-    const Mask m = c.of[i] > Real(0) && wanted >= before;
-    before += c.of[i];
-    choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
-    choice.via = select(m, Int(via_of(row[9])), choice.via);
-    taken = select(m, c.of[i], taken);
-  }
+  const Picked picked =
+      pick(c, unit_from_bits(random), scene.candidate_count, [&](std::uint32_t i, Mask m) {
+        const T* row = scene.light_candidates + i * kLightCandidateStride;
+        choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
+        choice.via = select(m, Int(via_of(row[9])), choice.via);
+      });
   scale = select(c.total > Real(0), Real(1) / c.total, Real(0));
-  choice.pmf = taken * scale;
+  choice.pmf = picked.value * scale;
   return choice;
 }
 
@@ -197,7 +188,7 @@ inline LightChoice choose_light(const SceneView<T>& scene, const Chooser& at, In
                                 Mask active, Real& scale) {
   scale = Real(1);
   if (uses(scene, Feature::ChoiceOfLights)) return choose_by_contribution(scene, at, random, scale);
-  if (uses(scene, Feature::LightTree)) return choose_by_tree(scene, at, random, active);
+  if (uses(scene, Feature::LightTree)) return choose_by_tree(scene, at, random, active, scale);
   return choose_by_power(scene, random);
 }
 
@@ -207,7 +198,7 @@ inline Real pmf_of_light(const SceneView<T>& scene, const Chooser& at, Int light
                          Real scale, Mask active) {
   if (uses(scene, Feature::ChoiceOfLights))
     return pmf_by_contribution(scene, at, light, via, scale, active);
-  if (uses(scene, Feature::LightTree)) return pmf_by_tree(scene, at, light, active);
+  if (uses(scene, Feature::LightTree)) return pmf_by_tree(scene, at, light, scale, active);
   return select(active, gather(scene.light_pmf, select(active, light, Int(0U))), Real(0));
 }
 

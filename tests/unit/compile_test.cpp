@@ -349,7 +349,7 @@ TEST(Compile, SaysWhichFeaturesASceneUses) {
       {"light tree",
        [](S s) {
          s.materials[0].emissive = glm::dvec3(1);
-         s.objects.resize(17, s.objects[0]);
+         s.objects.resize(kMaxLightCandidates + 1, s.objects[0]);
        }},
       {"images in mirrors",
        lit(MaterialKind::Metal, RectangleShape{{-1, -2, -1}, {2, 0, 0}, {0, 0, 2}})},
@@ -420,7 +420,7 @@ TEST(Compile, LightsAreChosenAsTheSceneAsks) {
   EXPECT_NE(contribution, power);
 }
 
-// Judging each of many lights at every vertex would cost more than it gains.
+// Judging each of very many lights at every vertex would cost more than it gains.
 TEST(Compile, ManyLightsAreChosenByATree) {
   Scene many = load_scene(LIGHTBENCH_SOURCE_DIR "/scenes/features/many-lights.json");
   const auto tree = compile(many, KernelKind::Auto);

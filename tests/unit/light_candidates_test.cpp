@@ -58,7 +58,7 @@ TEST(LightCandidates, ImagesThatDoNotFitAreLeftOutAloneAndMirrorsComeFirst) {
   EXPECT_EQ(c.view.direct_candidates, 2U);
   EXPECT_EQ(c.view.face_count, 1U);
   EXPECT_EQ(c.view.lens_count, 14U);
-  EXPECT_EQ(c.view.candidate_count, kMaxLightCandidates);
+  EXPECT_EQ(c.view.candidate_count, kMaxWithImages);
 }
 
 TEST(LightCandidates, AMirrorThatFitsIsNotLostToThoseThatDoNot) {
