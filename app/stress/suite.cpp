@@ -83,12 +83,6 @@ void Tally::add(const Tally& other) {
   keep_worst(other.worst_);
 }
 
-bool LineResult::passed() const {
-  const double share = static_cast<double>(tally.failures()) /
-                       static_cast<double>(std::max<std::uint64_t>(1, tally.trials()));
-  return tally.trials() > 0 && share <= allowed;
-}
-
 std::vector<Test> stress_tests() {
   std::vector<Test> tests;
   add_arithmetic_tests(tests);

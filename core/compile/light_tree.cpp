@@ -85,7 +85,7 @@ class Builder {
   struct Node {
     std::span<std::uint32_t> members;
     std::uint32_t trail;  ///< down to the clusters the number within the level, then a bit a turn
-    unsigned depth;
+    int depth;
   };
   [[nodiscard]] std::uint32_t first_half(const Node& n) const {
     return n.depth < lights_.tree_cluster_bits ? 2 * n.trail : n.trail;

@@ -67,7 +67,7 @@ struct LightPart {
   std::vector<T> candidates, faces, face_columns, lenses, lens_tables;
   std::vector<std::uint32_t> face_end, image_candidate, lens_end;
   // By a tree (core/compile/light_tree.h).
-  std::uint32_t tree_cluster_bits = 0;
+  int tree_cluster_bits = 0;
   std::vector<T> tree_rows;
   std::vector<std::uint32_t> tree_child, tree_trail;
 };

@@ -3,11 +3,15 @@
 // intrinsics only where the language has no operator. AVX-512 masks live in k-registers.
 
 // g++ 12 warns of its own header's deliberately undefined registers (GCC PR 105593).
+#ifndef __clang__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 
 #include <cstdint>
 

@@ -4,11 +4,15 @@
 // Int lanes are 32 bits wide as everywhere, half a Real; masks are as wide as Real.
 
 // g++ 12 warns of its own header's deliberately undefined registers (GCC PR 105593).
+#ifndef __clang__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 
 #include <cstdint>
 

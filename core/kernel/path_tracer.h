@@ -142,35 +142,21 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   paths.alive = going;
 }
 
-/// Sets of paths that a thread takes through the same step one after the other: they have nothing
-/// to do with each other, so the processor begins the second while it waits for the first. Four
-/// gained less, eight nothing; a lane alone gains nothing by two (docs/performance.md).
-inline constexpr int kSets = kLanes > 1 ? 2 : 1;
-
 inline void render_work(const SceneView<T>& scene, const Work& work, FilmView film,
                         Counters& counters) {
   PathQueue queue(scene, work, film, counters);
-  Paths paths[kSets]{};
-  Interaction met[kSets];
-  Mask used[kSets];
-  for (int i = 0; i < kSets; ++i) {
-    paths[i].ray.skip = paths[i].ray.skip_slot = Int(kNoHit);
-    paths[i].ray.skip_back = paths[i].alive = used[i] = Mask(false);
-  }
+  Paths paths{};
+  paths.ray.skip = paths.ray.skip_slot = Int(kNoHit);
+  paths.ray.skip_back = paths.alive = Mask(false);
   Unwatched unwatched;
-  for (bool busy = true; busy;) {
-    for (int i = 0; i < kSets; ++i) met[i] = intersect(scene, paths[i], counters);
-    busy = false;
-    for (int i = 0; i < kSets; ++i) {
-      escape(scene, paths[i], met[i], unwatched);
-      const Mask done = used[i] && !paths[i].alive;
-      if (any(done)) splat(scene, paths[i], done, work, film, counters);
-      used[i] = paths[i].alive || queue.fill(!paths[i].alive, paths[i], met[i]);
-      busy = busy || any(used[i]);
-    }
-    for (int i = 0; i < kSets; ++i) {
-      if (any(used[i])) shade(scene, paths[i], met[i], counters, unwatched);
-    }
+  for (Mask used(false);;) {
+    Interaction met = intersect(scene, paths, counters);
+    escape(scene, paths, met, unwatched);
+    const Mask done = used && !paths.alive;
+    if (any(done)) splat(scene, paths, done, work, film, counters);
+    used = paths.alive || queue.fill(!paths.alive, paths, met);
+    if (none(used)) return;
+    shade(scene, paths, met, counters, unwatched);
   }
 }
 

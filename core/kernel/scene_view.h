@@ -172,7 +172,8 @@ struct SceneView {
   // By a tree instead, where there are many lights (core/lights/light_tree.h).
   // Level by level; points choose among the clusters of the last full level of at most
   // kMaxLightCandidates first, which are nodes light_clusters - 1 and on.
-  std::uint32_t light_clusters = 0, light_cluster_bits = 0;
+  std::uint32_t light_clusters = 0;
+  int light_cluster_bits = 0;
   const T* light_nodes = nullptr;
   const std::uint32_t* light_children = nullptr;  ///< first of two, or kLightLeaf | light
   const std::uint32_t* light_trail = nullptr;     ///< number of each light's cluster, then turns

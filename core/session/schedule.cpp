@@ -12,9 +12,9 @@ constexpr int kLookLongAxis = 128;
 constexpr int kFinestLook = 3;  // at 2 it would cost a quarter of the full pass
 constexpr double kPassSeconds = 1.0;
 constexpr double kCallSeconds = 0.004;
-// Of a call to render(), in samples: cornell-plain in calls of 64 took 1.32 to 1.36 times as long
+// Of a call to render(), in samples: cornell-plain in calls of 64 took 1.17 to 1.19 times as long
 // as in calls of 4096.
-constexpr double kCallOverhead = 21;
+constexpr double kCallOverhead = 12;
 // Before anything is measured: slow enough that a slow scene does not block the first picture.
 constexpr double kAssumedSpeed = 2e5;
 constexpr std::int64_t kMaxSpp = std::numeric_limits<std::uint32_t>::max();
