@@ -68,9 +68,4 @@ double sidak(double alpha, std::size_t tests) {
   return -std::expm1(std::log1p(-alpha) / static_cast<double>(tests));
 }
 
-double poisson_tail(double count, double mean) {
-  if (count <= 0) return 1;
-  return mean > 0 ? 1 - upper_incomplete_gamma(count, mean) : 0;
-}
-
 }  // namespace lightbench::proof

@@ -26,7 +26,4 @@ double turn(double y, double x);
 /// Significance of each of `tests` independent tests that together have significance `alpha`.
 double sidak(double alpha, std::size_t tests);
 
-/// Probability of `count` events or more where `mean` are expected (Poisson).
-double poisson_tail(double count, double mean);
-
 }  // namespace lightbench::proof

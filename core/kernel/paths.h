@@ -12,7 +12,7 @@ struct Paths {
   Vec throughput, radiance;
   Real pdf;  ///< of the ray's direction, solid angle; 0 after the camera or a delta lobe
   // The choice of a light at the last vertex with a pdf, by which a light that the ray meets is
-  // weighted. Only where lights are chosen by contribution.
+  // weighted. Only where points choose among lights.
   Vec chosen_from, chosen_n;
   Real choice_scale;
   Vec left;             ///< direction in which it left for glass

@@ -11,8 +11,8 @@ LIGHTBENCH_KERNEL_BEGIN
 
 /// Estimate of the irradiance that a node sheds on the point. Its row is
 ///   0..2 centre and 3 radius of a ball around the lights, 4 their weight, 5..7 axis, 8 cosine and
-///   9 sine of a cone around their normals (cosine -1: they shine all around), 10 a quarter of the
-///   inverse of the radius.
+///   9 sine of a cone around their normals, which is of a half turn at most or (cosine -1) all
+///   directions, 10 a quarter of the inverse of the radius.
 /// As for single lights, but that the cosine at the lights is the best that cone and ball allow.
 inline Real cluster_contribution(const auto& c, const Chooser& at) {
   const Vec d = c.vec(0) - at.p;
@@ -22,7 +22,7 @@ inline Real cluster_contribution(const auto& c, const Chooser& at) {
   const Real receiver =
       select(looks_all_around(at), distance, clipped_height(dot(at.n, d), r, c[10]));
   const Real flow = c[4] * receiver / (distance * sum);
-  if (none(!c.below(8, T(-0.9999999)))) return flow;
+  if (none(!c.below(8, T(0)))) return flow;
   const Real inverse = Real(1) / sqrt(sum);
   const Real cos_ball = distance * inverse, sin_ball = r * inverse;
   const Real cos_cone = c[8], sin_cone = c[9];
@@ -60,15 +60,16 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
   const Picked cluster = pick(c, u, clusters, [&](std::uint32_t i, Mask m) {
     node = select(m, Int(clusters - 1 + i), node);
   });
-  // Each turn takes random bits off the top; a hash refills those below.
+  // What is left of the number within the share that was chosen, stretched to [0,1): each choice
+  // takes random bits off its top, and a hash makes new ones for its end before it is stretched.
   Int refill = random;
-  const auto used_up = [&](Real rest, Real share) {
+  const auto stretch = [&](Real rest, Real share) {
     refill = hash(refill);
-    u = rest / select(share > Real(0), share, Real(1)) + unit_from_bits(refill) * T(0x1p-24);
-    u = clamp(u, Real(0), Real(T(1) - kEpsilon));
+    rest = rest + unit_from_bits(refill) * T(0x1p-24);
+    u = clamp(rest / select(share > Real(0), share, Real(1)), Real(0), Real(T(1) - kEpsilon));
   };
-  used_up(u * c.total - cluster.before, cluster.value);
   Real pmf = cluster.value * scale;
+  stretch(u - cluster.before * scale, pmf);
   Int child = gather(scene.light_children, node);
   Mask inner = active && pmf > Real(0) && is_inner(child);
   while (any(inner)) {
@@ -80,7 +81,7 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
     const Mask left = u < p;
     const Real share = select(left, p, Real(1) - p);
     pmf = select(inner, select(some, pmf * share, Real(0)), pmf);
-    used_up(select(left, u, u - p), share);
+    stretch(select(left, u, u - p), share);
     node = select(left, children, children + Int(1U));
     child = select(some, gather(scene.light_children, node), child);
     inner = some && is_inner(child);
