@@ -2,6 +2,7 @@
 // Rays against analytic primitives: one primitive in all lanes at once, and a tiny scene's all.
 
 #include "core/accel/nearest_hit.h"
+#include "core/accel/surfaces.h"
 #include "core/shapes/any_shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -116,40 +117,45 @@ template <bool kShadow, PrimitiveKind kKind, TestOrder kOrder>
 /// the one comparison of test_kind().
 template <bool kShadow, PrimitiveKind kKind, HitQuality kQuality>
 [[gnu::noinline]] inline void test_run(const SceneView<T>& scene, std::uint32_t begin,
-                                       std::uint32_t end, const Ray& ray, Mask active,
-                                       NearestHit& hit) {
-  for (std::uint32_t i = begin; i < end; ++i)
+                                       std::uint32_t end, const Ray& ray, const Surfaces& surfaces,
+                                       Mask active, NearestHit& hit) {
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (!kShadow && surfaces.among[i] == 0) continue;
     test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, kQuality, active, hit);
+  }
 }
 
 /// All surfaces of one kind; for shadow rays, all that can be in the way.
 template <bool kShadow, PrimitiveKind kKind>
-inline void test_kind(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
+inline void test_kind(const SceneView<T>& scene, const Ray& ray, const Surfaces& surfaces,
+                      Mask active, NearestHit& hit) {
   constexpr auto k = static_cast<unsigned>(kKind);
   const std::uint32_t begin = scene.kind_begin[k];
   const std::uint32_t end = kShadow ? scene.occluders_end[k] : scene.kind_begin[k + 1];
   if (begin >= end) return;
   if constexpr (kKind == PrimitiveKind::Sphere || kKind == PrimitiveKind::Cylinder) {
     if (uses(scene, Feature::RefinedHits))
-      return test_run<kShadow, kKind, HitQuality::Refined>(scene, begin, end, ray, active, hit);
+      return test_run<kShadow, kKind, HitQuality::Refined>(scene, begin, end, ray, surfaces, active,
+                                                           hit);
   }
-  test_run<kShadow, kKind, HitQuality::Plain>(scene, begin, end, ray, active, hit);
+  test_run<kShadow, kKind, HitQuality::Plain>(scene, begin, end, ray, surfaces, active, hit);
 }
 
 /// Every surface against all lanes.
 template <bool kShadow>
-void test_all(const SceneView<T>& scene, const Ray& ray, Mask active, NearestHit& hit) {
-  test_kind<kShadow, PrimitiveKind::Sphere>(scene, ray, active, hit);
+void test_all(const SceneView<T>& scene, const Ray& ray, const Surfaces& surfaces, Mask active,
+              NearestHit& hit) {
+  test_kind<kShadow, PrimitiveKind::Sphere>(scene, ray, surfaces, active, hit);
   if constexpr (compiled(Feature::Ellipsoids))
-    test_kind<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Cylinder>(scene, ray, active, hit);
+    test_kind<kShadow, PrimitiveKind::Ellipsoid>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Cylinder>(scene, ray, surfaces, active, hit);
   if constexpr (compiled(Feature::Ellipsoids))
-    test_kind<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Disc>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Rectangle>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Triangle>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Pyramid>(scene, ray, active, hit);
-  test_kind<kShadow, PrimitiveKind::Box>(scene, ray, active, hit);
+    test_kind<kShadow, PrimitiveKind::EllipticCylinder>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Disc>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Rectangle>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Triangle>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Pyramid>(scene, ray, surfaces, active, hit);
+  test_kind<kShadow, PrimitiveKind::Box>(scene, ray, surfaces, active, hit);
 }
 
 LIGHTBENCH_KERNEL_END

@@ -5,11 +5,6 @@
 
 namespace lightbench {
 
-/// Below this many primitives (and without meshes) a loop over all of them beats a tree: with
-/// sixteen lanes up to about 300 spheres or 120 cylinders, with eight 150 or 70. The same for all
-/// kernels, so that their films agree.
-inline constexpr std::uint32_t kTinyScene = 96;
-
 /// Meshes of `previous` are kept where their data is the same, and the shape of its tree where it
 /// still serves.
 template <class T>

@@ -21,13 +21,15 @@ inline Int first_dimension(const Paths& paths) {
   return (paths.segments - Int(1U)) * Int(dimension::kPerVertex) + Int(dimension::kFirstVertex);
 }
 
-/// Traces the rays of the live paths: one segment more. Out of line, for it has two callers.
+/// Traces the rays of the live paths: one segment more. `surfaces` as find_hits() has it. Out of
+/// line, for it has two callers.
 [[gnu::noinline]] inline Interaction intersect(const SceneView<T>& scene, Paths& paths,
-                                               Counters& counters) {
+                                               Counters& counters,
+                                               const Surfaces& surfaces = kAllSurfaces) {
   const Mask alive = paths.alive;
   counters.rays += static_cast<std::uint64_t>(__builtin_popcount(bits(alive)));
   Interaction met{no_hit(Real(kInfinity)), {Real(kInfinity), Vec(Real(1)), Mask(false)}};
-  find_hits<false>(scene, paths.ray, alive, met.hit);
+  find_hits<false>(scene, paths.ray, alive, met.hit, surfaces);
   if (uses(scene, Feature::Triangles)) refine_hits(scene, paths.ray, met.hit);
   paths.segments = select(alive, paths.segments + Int(1U), paths.segments);
   if (uses(scene, Feature::Media)) {

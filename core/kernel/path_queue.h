@@ -3,6 +3,7 @@
 // lanes that fall free. A lane whose ray leaves the scene takes the next one between tracing and
 // shading, so that shading, the dear part, finds all lanes busy (docs/performance.md).
 
+#include "core/camera/in_view.h"
 #include "core/kernel/interaction.h"
 #include "core/kernel/path_starts.h"
 #include "core/kernel/splat.h"
@@ -13,7 +14,12 @@ LIGHTBENCH_KERNEL_BEGIN
 class PathQueue {
  public:
   PathQueue(const SceneView<T>& scene, const Work& work, FilmView film, Counters& counters)
-      : scene_(scene), work_(work), film_(film), counters_(counters), jobs_(work, film.width) {}
+      : scene_(scene),
+        work_(work),
+        film_(film),
+        counters_(counters),
+        jobs_(work, film.width),
+        in_view_(surfaces_in_view(scene, work)) {}
 
   /// Fresh paths and what they met in the lanes of `free`, as far as samples are left; returns
   /// which lanes got one.
@@ -91,7 +97,7 @@ class PathQueue {
     }
     const Mask all = lane < Int(count);
     Paths paths = start_paths(scene_, work_.stride, x, y, pixel, sample, all);
-    Interaction met = intersect(scene_, paths, counters_);
+    Interaction met = intersect(scene_, paths, counters_, in_view_);
     Unwatched unwatched;
     escape(scene_, paths, met, unwatched);
     const Mask kept = paths.alive, gone = all && !kept;
@@ -114,6 +120,7 @@ class PathQueue {
   FilmView film_;
   Counters& counters_;
   Jobs jobs_;
+  Surfaces in_view_;
   alignas(64) T o_[3][kRoom] = {}, d_[3][kRoom] = {}, time_[kRoom] = {}, t_[kRoom] = {},
                 b_[2][kRoom] = {}, medium_t_[kRoom] = {}, albedo_[3][kRoom] = {};
   alignas(64) std::uint32_t pixel_[kRoom] = {}, sample_[kRoom] = {}, pixel_key_[kRoom] = {},
