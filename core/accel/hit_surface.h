@@ -49,9 +49,8 @@ template <PrimitiveKind kKind>
 
 /// Surface of the hits; meaningful in the active lanes, all of which hit something. `textured` are
 /// the lanes whose uv is wanted.
-inline Surface surface_of(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
-                          Mask active, Mask textured) {
-  Surface surface;
+inline void find_surfaces(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
+                          Mask active, Mask textured, Surface& surface) {
   surface.p = surface.ng = surface.ns = Vec(Real(0));
   Mask smooth(false);
   for_each_kind(scene, hit.primitive, active, [&]<PrimitiveKind kKind>(Mask m) {
@@ -60,6 +59,13 @@ inline Surface surface_of(const SceneView<T>& scene, const Ray& ray, const Neare
     find_surface_of_kind<kKind>(scene, ray, hit, m, uv, surface);
   });
   surface.ns = select(smooth, surface.ns, surface.ng);
+}
+
+/// The same by value, which costs a copy.
+inline Surface surface_of(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
+                          Mask active, Mask textured) {
+  Surface surface;
+  find_surfaces(scene, ray, hit, active, textured, surface);
   return surface;
 }
 

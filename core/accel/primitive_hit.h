@@ -1,6 +1,8 @@
 #pragma once
 // Rays against analytic primitives: one primitive in all lanes at once, and a tiny scene's all.
 
+#include <type_traits>
+
 #include "core/accel/nearest_hit.h"
 #include "core/accel/surfaces.h"
 #include "core/shapes/any_shape.h"
@@ -119,10 +121,13 @@ template <bool kShadow, PrimitiveKind kKind, HitQuality kQuality>
 [[gnu::noinline]] inline void test_run(const SceneView<T>& scene, std::uint32_t begin,
                                        std::uint32_t end, const Ray& ray, const Surfaces& surfaces,
                                        Mask active, NearestHit& hit) {
+  // Kept in registers where there are enough; through memory each hit waits for the one before.
+  std::conditional_t<kManyRegisters, NearestHit, NearestHit&> nearest = hit;
   for (std::uint32_t i = begin; i < end; ++i) {
     if (!kShadow && surfaces.among[i] == 0) continue;
-    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, kQuality, active, hit);
+    test_primitive<kShadow, kKind, TestOrder::Rising>(scene, i, ray, kQuality, active, nearest);
   }
+  if constexpr (kManyRegisters) hit = nearest;
 }
 
 /// All surfaces of one kind; for shadow rays, all that can be in the way.

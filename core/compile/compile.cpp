@@ -72,11 +72,11 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.has_triangles = of_kind(PrimitiveKind::Triangle) + of_kind(PrimitiveKind::Mesh) > 0;
   v.row = g.row.data();
   v.rows = g.rows.data();
-  const auto or_null = [](const std::vector<T>& columns) {
+  const auto or_null = [](const auto& columns) {
     return columns.empty() ? nullptr : columns.data();
   };
   for (unsigned k = 0; k < kPrimitiveKinds; ++k) v.columns[k] = or_null(g.columns[k]);
-  v.offset = g.offset.data();
+  v.offset = {g.offset.data(), or_null(g.offset_column)};
   v.meshes = g.mesh_views.data();
   v.hit_quality =
       range_of(*g.reach, scene.camera) <= kPlainRange ? HitQuality::Plain : HitQuality::Refined;
@@ -89,16 +89,17 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
     v.wide = g.wide.data();
     v.beyond_cache = g.tree.nodes.size() * sizeof(BvhNode) > kCacheBytes;
   }
-  v.material = p.materials->of_primitive.data();
+  v.material = {p.materials->of_primitive.data(), or_null(p.materials->of_primitive_column)};
   v.materials = p.materials->rows.data();
   v.material_columns = or_null(p.materials->columns);
   v.medium_count = static_cast<std::uint32_t>(p.materials->media.size());
   v.media = p.materials->media.data();
   v.textures = p.textures->rows.data();
   v.images = p.textures->images.data();
-  v.first_light = p.lights->first_of_primitive.data();
+  v.first_light = {p.lights->first_of_primitive.data(),
+                   or_null(p.lights->first_of_primitive_column)};
   v.light_count = static_cast<std::uint32_t>(p.lights->primitive.size());
-  v.light_primitive = p.lights->primitive.data();
+  v.light_primitive = {p.lights->primitive.data(), or_null(p.lights->primitive_column)};
   v.light_slot = p.lights->slot.data();
   v.light_pmf = p.lights->pmf.data();
   v.alias_threshold = p.lights->alias_threshold.data();

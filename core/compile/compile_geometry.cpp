@@ -229,6 +229,7 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     append_columns(&part->rows[part->row[begin]], end - begin,
                    (next - part->row[begin]) / (end - begin), part->columns[part->kind[begin]]);
   }
+  append_columns(part->offset.data(), part->offset.size(), 1, part->offset_column);
   if (part->surface_count >= kTinyScene || has_mesh) {
     if (!part->moving) boxes_end.clear();
     find_tree(previous, boxes, boxes_end, *part);

@@ -80,6 +80,8 @@ std::shared_ptr<const MaterialPart<T>> compile_materials(const Scene& scene,
     for (int k = 0; k < 3; ++k) view.albedo[k] = static_cast<T>(m.albedo[k]);
     part->media.push_back(view);
   }
+  append_columns(part->of_primitive.data(), part->of_primitive.size(), 1,
+                 part->of_primitive_column);
   return part;
 }
 
@@ -155,6 +157,9 @@ std::shared_ptr<const LightPart<T>> compile_lights(const Scene& scene,
   for (std::size_t i = geometry.surface_count; i < geometry.object.size(); ++i) {
     part->first_of_primitive.push_back(kNoLight);
   }
+  append_columns(part->first_of_primitive.data(), part->first_of_primitive.size(), 1,
+                 part->first_of_primitive_column);
+  append_columns(part->primitive.data(), part->primitive.size(), 1, part->primitive_column);
   // Vose's alias method.
   const std::size_t n = power.size();
   double total = 0;

@@ -39,6 +39,7 @@ struct GeometryPart {
   std::vector<std::uint32_t> kind, row;
   std::vector<T> rows, offset, to_object;
   std::vector<T> columns[kPrimitiveKinds];       ///< of few surfaces of a kind
+  std::vector<T> offset_column;                  ///< of few primitives
   std::vector<int> object;                       ///< of each primitive, index into Scene::objects
   std::vector<std::uint32_t> surface_of_object;  ///< primitive, or kNoHit; by Scene::objects
   std::vector<double> area;  ///< render space; of a mesh instance 0 (see light part)
@@ -53,14 +54,14 @@ struct GeometryPart {
 template <class T>
 struct MaterialPart {
   std::vector<T> rows, columns;
-  std::vector<std::uint32_t> of_primitive;
+  std::vector<std::uint32_t> of_primitive, of_primitive_column;
   std::vector<MediumView<T>> media;
   double brightest = 0;  ///< largest component of the radiance that a surface emits
 };
 
 template <class T>
 struct LightPart {
-  std::vector<std::uint32_t> first_of_primitive;
+  std::vector<std::uint32_t> first_of_primitive, first_of_primitive_column, primitive_column;
   std::vector<std::uint32_t> primitive, slot, alias_other;
   std::vector<T> pmf, alias_threshold;
   // Choice by contribution (core/compile/light_candidates.h).

@@ -42,7 +42,7 @@ inline Vec light_radiance(const SceneView<T>& scene, LightPlace place, const Lig
     return select(s.valid && (front || v.material.two_sided), v.material.emission, Vec(Real(0)));
   }
   const Int primitive = select(s.valid, place.primitive, Int(0U));
-  const Material material = materials_of(scene, gather(scene.material, primitive), s.valid);
+  const Material material = materials_of(scene, pick(scene.material, primitive), s.valid);
   return select(front || material.two_sided, material.emission, Vec(Real(0)));
 }
 
@@ -53,10 +53,11 @@ struct KnownLight {
 };
 inline KnownLight light_of(const SceneView<T>& scene, const NearestHit& hit, Mask active) {
   const Int primitive = select(active, hit.primitive, Int(0U));
-  const Int first_light = gather(scene.first_light, primitive);
+  const Int first_light = pick(scene.first_light, primitive);
   const Mask known = active && first_light != Int(kNoLight);
-  const Mask mesh =
-      gather(scene.kind, primitive) == Int(static_cast<std::uint32_t>(PrimitiveKind::Mesh));
+  constexpr auto kMesh = static_cast<unsigned>(PrimitiveKind::Mesh);
+  const Mask mesh = active && hit.primitive >= Int(scene.kind_begin[kMesh]) &&
+                    hit.primitive < Int(scene.kind_begin[kMesh + 1]);
   return {select(known, first_light + select(mesh, hit.slot, Int(0U)), Int(0U)), known, mesh};
 }
 

@@ -33,6 +33,11 @@
 #include "core/kernel/lanes_x86.h"
 #endif
 
+LIGHTBENCH_KERNEL_BEGIN
+/// Whether the target has 32 registers for lanes (AVX-512) rather than 16.
+inline constexpr bool kManyRegisters = sizeof(T) * kLanes == 64;
+LIGHTBENCH_KERNEL_END
+
 #ifdef LIGHTBENCH_DOUBLE
 #include "core/kernel/elementary_double.h"
 #else

@@ -58,6 +58,7 @@ inline Real gather(const T* table, Int index) { return table[index]; }
 inline Int gather(const std::uint32_t* table, Int index) { return table[index]; }
 /// Entry `index` (its low four bits) of a table of sixteen numbers.
 inline Real look_up(const T* table, Int index) { return table[index & 15U]; }
+inline Int look_up(const std::uint32_t* table, Int index) { return table[index & 15U]; }
 inline Real load(const T* p) { return *p; }
 #ifdef LIGHTBENCH_DOUBLE
 inline Real load(const float* p) { return static_cast<Real>(*p); }

@@ -101,6 +101,9 @@ inline Real look_up(const float* table, Int index) {
   return Real(
       RealLanes(_mm512_permutexvar_ps(IntRegister(index.v), __m512(_mm512_loadu_ps(table)))));
 }
+inline Int look_up(const std::uint32_t* table, Int index) {
+  return Int(IntLanes(_mm512_permutexvar_epi32(IntRegister(index.v), _mm512_loadu_si512(table))));
+}
 inline Int load(const std::uint32_t* p) { return Int(IntLanes(_mm512_loadu_si512(p))); }
 inline void store(std::uint32_t* p, Int a) { _mm512_storeu_si512(p, IntRegister(a.v)); }
 #else
@@ -150,6 +153,10 @@ inline Real look_up(const float* table, Int index) {
   const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), i);
   return Real(
       RealLanes(_mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(i, 28)))));
+}
+inline Int look_up(const std::uint32_t* table, Int index) {
+  const auto* bits = reinterpret_cast<const float*>(table);
+  return Int(IntLanes(_mm256_castps_si256(look_up(bits, index).v)));
 }
 inline Int load(const std::uint32_t* p) {
   return Int(IntLanes(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))));

@@ -167,6 +167,9 @@ inline Int gather(const std::uint32_t* table, Int index) {
   return Int(IntLanes(LB_INT_INTRINSIC(i32gather_epi32)(reinterpret_cast<const int*>(table),
                                                         IntRegister(index.v), 4)));
 }
+inline Int look_up(const std::uint32_t* table, Int index) {
+  return gather(table, Int(IntLanes(index.v & 15U)));
+}
 inline Int load(const std::uint32_t* p) { return Int(IntLanes(load_register(p))); }
 inline Real load(const double* p) { return Real(RealLanes(LB_REAL_INTRINSIC(loadu_pd)(p))); }
 inline void store(double* p, Real a) { LB_REAL_INTRINSIC(storeu_pd)(p, a.v); }

@@ -109,6 +109,14 @@ struct EnvironmentView {
   ImageView image;
 };
 
+/// A number for each primitive or light; where they are few also as a column
+/// (core/compile/columns.h).
+template <class U>
+struct Entries {
+  const U* table = nullptr;
+  const U* column = nullptr;
+};
+
 template <class T>
 struct SceneView {
   // Primitives: [0, surface_count) are surfaces, the rest are boundaries of media.
@@ -123,10 +131,10 @@ struct SceneView {
   const T* rows = nullptr;
   /// By kind, surfaces only, from the first of its primitives on; null where they are too many.
   const T* columns[kPrimitiveKinds] = {};
-  const T* offset = nullptr;  ///< bound on the error of a point on it, render space
-  const std::uint32_t* material = nullptr;
-  const std::uint32_t* first_light = nullptr;  ///< light of the primitive (of a mesh's slot 0)
-  const T* to_object = nullptr;  ///< 12 per primitive; null unless solid textures are used
+  Entries<T> offset;  ///< bound on the error of a point on it, render space
+  Entries<std::uint32_t> material;
+  Entries<std::uint32_t> first_light;  ///< light of the primitive (of a mesh's slot 0)
+  const T* to_object = nullptr;        ///< 12 per primitive; null unless solid textures are used
   const MeshView<T>* meshes = nullptr;
   HitQuality hit_quality = HitQuality::Refined;
 
@@ -150,7 +158,7 @@ struct SceneView {
   bool samples_lights = false;
   bool counts_hits_of_lights = true;
   std::uint32_t light_count = 0;
-  const std::uint32_t* light_primitive = nullptr;
+  Entries<std::uint32_t> light_primitive;
   const std::uint32_t* light_slot = nullptr;  ///< triangle slot of a mesh light
   const T* light_pmf = nullptr;
   const T* alias_threshold = nullptr;

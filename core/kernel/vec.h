@@ -132,6 +132,13 @@ LaneRow<kSize> merged_rows(Int id, Mask active, F row) {
   return merged;
 }
 
+/// The lanes' own entries; of a column in one permutation, where a gather takes as many loads as
+/// there are lanes.
+template <class U>
+auto pick(const Entries<U>& of, Int index) {
+  return of.column != nullptr ? look_up(of.column, index) : gather(of.table, index);
+}
+
 /// Row `index` of a small table that is stored column by column (core/compile/columns.h): with all
 /// of a column in a register, each lane picks its own number at once.
 template <unsigned kSize>

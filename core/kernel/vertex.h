@@ -25,10 +25,10 @@ struct Vertex {
 inline void find_surface(const SceneView<T>& scene, const Ray& ray, const NearestHit& hit,
                          Mask active, Vertex& v) {
   const Int primitive = select(active, hit.primitive, Int(0U));
-  v.material = materials_of(scene, gather(scene.material, primitive), active);
-  v.offset = select(active, gather(scene.offset, primitive), Real(0));
-  v.surface = surface_of(scene, ray, hit, active,
-                         Mask(uses(scene, Feature::Coordinates)) && is_textured(v.material));
+  v.material = materials_of(scene, pick(scene.material, primitive), active);
+  v.offset = select(active, pick(scene.offset, primitive), Real(0));
+  find_surfaces(scene, ray, hit, active,
+                Mask(uses(scene, Feature::Coordinates)) && is_textured(v.material), v.surface);
   v.object_point = Vec(Real(0));
   if (uses(scene, Feature::SolidTextures)) {
     // Below the surface by what rounding may make of the point and its map: a face in the plane

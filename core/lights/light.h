@@ -12,7 +12,8 @@ struct LightPlace {
   Int primitive, slot;
 };
 inline LightPlace place_of(const SceneView<T>& scene, Int light) {
-  return {gather(scene.light_primitive, light), gather(scene.light_slot, light)};
+  return {pick(scene.light_primitive, light),
+          uses(scene, Feature::Meshes) ? gather(scene.light_slot, light) : Int(0U)};
 }
 
 /// World-space triangles of mesh lights and their outward normals.

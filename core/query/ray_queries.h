@@ -68,7 +68,7 @@ inline void leave_surfaces(const SceneView<T>& scene, std::span<const KernelExit
     const Mask inside = batch.mask([&](std::size_t i) { return exits[i].inside; });
     const Int primitive = batch.integer([&](std::size_t i) { return exits[i].primitive; });
     const Vec n = select(inside, -outward, outward);
-    batch.each(leave_surface(p, n, gather(scene.offset, primitive)),
+    batch.each(leave_surface(p, n, pick(scene.offset, primitive)),
                [&](std::size_t i) { return origins[i].p; });
   });
 }

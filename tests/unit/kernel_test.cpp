@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
+#include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
 #include "tests/unit/small_scenes.h"
 
@@ -88,6 +90,39 @@ TEST(Kernel, WorkMayBeDividedInAnyWay) {
     EXPECT_EQ(film.hash(), whole) << name;
     EXPECT_EQ(counters.paths, 32U * 24 * 4) << name;
   }
+}
+
+/// The same compiled scene, all of whose numbers are gathered from tables.
+RenderScene without_columns(const RenderScene& scene, int* columns) {
+  RenderScene copy = scene;
+  auto parts = std::make_shared<RenderScene::Parts>(*scene.parts);
+  const auto drop = [columns](auto& of) {
+    if (std::exchange(of.column, nullptr) != nullptr) ++*columns;
+  };
+  std::visit(
+      [&](auto& kernel) {
+        drop(kernel.view.offset);
+        drop(kernel.view.material);
+        drop(kernel.view.first_light);
+        drop(kernel.view.light_primitive);
+      },
+      parts->kernel);
+  copy.parts = std::move(parts);
+  return copy;
+}
+
+TEST(Kernel, ColumnsHoldWhatTheTablesHold) {
+  int columns = 0;
+  for (const auto& [name, scene] : small_scenes(32, 24)) {
+    for (const KernelKind kernel : kKernels) {
+      if (!kernel_supported(kernel)) continue;
+      const auto compiled = compile(scene, kernel);
+      EXPECT_EQ(film_of(*compiled, 3).hash(),
+                film_of(without_columns(*compiled, &columns), 3).hash())
+          << name << " in " << kernel_name(kernel);
+    }
+  }
+  EXPECT_GE(columns, 40) << "few scenes with few objects";
 }
 
 TEST(Kernel, ACropIsAWindowOfTheWholeCamera) {
