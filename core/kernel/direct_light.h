@@ -98,9 +98,10 @@ template <class Watch>
     value.pdf = select(v.in_medium, value.pdf, f.pdf);
   }
 
-  Ray shadow = paths.ray;
+  Ray shadow;
   shadow.o = seen_from;
   shadow.d = s.d;
+  shadow.time = paths.ray.time;
   const Vec emission = light_radiance(scene, place, s, shadow);
 
   const Real pdf = s.pdf * chosen.pmf;
@@ -115,7 +116,8 @@ template <class Watch>
   }
   Mask wanted = s.valid && max_component(light) > Real(0);
   if (none(wanted)) return;
-  shadow.from = select(v.in_medium, Int(kNoHit), shadow.from);
+  shadow.from = select(v.in_medium, Int(kNoHit), paths.ray.from);
+  shadow.from_slot = paths.ray.from_slot;
   // Within a room its own walls are in the way of what is outside.
   shadow.inside = v.on_surface && !v.front;
   shadow.o = v.reflect_from;

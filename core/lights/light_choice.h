@@ -99,9 +99,11 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
   return c;
 }
 
-/// By contribution: 32 random bits; candidates exist. `scale` = 1 / the sum of all, or 0.
-inline LightChoice choose_by_contribution(const SceneView<T>& scene, const Chooser& at, Int random,
-                                          Real& scale) {
+/// By contribution: 32 random bits; candidates exist. `scale` = 1 / the sum of all, or 0. Out of
+/// line: within the caller it costs scenes with one light 1.8 % of their instructions (avx2).
+[[gnu::noinline]] inline LightChoice choose_by_contribution(const SceneView<T>& scene,
+                                                            const Chooser& at, Int random,
+                                                            Real& scale) {
   const Contributions c = contributions(scene, at);
   LightChoice choice{Int(0U), Int(kStraight), Real(0)};
   const Picked picked =
