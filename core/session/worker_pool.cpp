@@ -34,11 +34,9 @@ int thread_count(int requested) {
 }
 
 WorkerPool::WorkerPool(int threads, bool low_priority, std::function<void()> done)
-    : low_priority_(low_priority),
-      done_(std::move(done)),
-      workers_(static_cast<std::size_t>(std::max(1, threads))) {
+    : done_(std::move(done)), workers_(static_cast<std::size_t>(std::max(1, threads))) {
   for (Worker& worker : workers_) {
-    worker.thread = std::thread([this, &worker] { run(worker); });
+    worker.thread = std::thread([this, &worker, low_priority] { run(worker, low_priority); });
   }
 }
 
@@ -96,8 +94,8 @@ JobResult WorkerPool::result() const {
   return result;
 }
 
-void WorkerPool::run(Worker& self) {
-  if (low_priority_) lower_priority();
+void WorkerPool::run(Worker& self, bool low_priority) {
+  if (low_priority) lower_priority();
   std::uint64_t seen = 0;
   for (;;) {
     {
@@ -144,9 +142,6 @@ bool WorkerPool::trace_tile(Worker& self, std::int64_t tile) {
   const std::uint32_t end = job_.pass.first_sample + job_.pass.sample_count;
   for (std::uint32_t sample = job_.pass.first_sample; sample < end;) {
     if (interrupted_.load(std::memory_order_relaxed) && !proceed()) return false;
-    // Priority alone gives a thread that wakes up its turn at the next tick (4 ms at 250 Hz): newer
-    // kernels let the running one finish its slice.
-    if (low_priority_) std::this_thread::yield();
     work.first_sample = sample;
     work.sample_count = std::min(job_.tiling.samples, end - sample);
     trace_work(self, work);

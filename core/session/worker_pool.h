@@ -72,7 +72,7 @@ class WorkerPool {
     std::thread thread;
   };
 
-  void run(Worker& self);
+  void run(Worker& self, bool low_priority);
   void trace(Worker& self);
   /// False if the job was cancelled.
   bool trace_tile(Worker& self, std::int64_t tile);
@@ -82,7 +82,6 @@ class WorkerPool {
   /// True if the job goes on; sleeps while it is held.
   bool proceed();
 
-  const bool low_priority_;
   std::function<void()> done_;
   Job job_;                      // written by start() while no worker is active
   std::int64_t tile_count_ = 0;  // likewise
