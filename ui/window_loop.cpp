@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/session/priority.h"
+
 namespace lightbench::ui {
 namespace {
 
@@ -50,6 +52,8 @@ void run_window(Scene scene, const std::filesystem::path& file, const Applicatio
     *static_cast<bool*>(glfwGetWindowUserPointer(w)) = true;
   });
   Application application(gl, std::move(scene), file, options, glfwPostEmptyEvent);
+  // Now, for threads that a software renderer of OpenGL makes would inherit it.
+  react_promptly();
   std::string title;
   while (!application.closing()) {
     wait_for_events(is_minimised(gl) ? kLongestWait

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/scene/change.h"
+#include "core/session/priority.h"
 
 namespace lightbench {
 namespace {
@@ -46,6 +47,7 @@ Coordinator::Coordinator(Exchange& exchange, const SessionOptions& options)
 }
 
 void Coordinator::run() {
+  react_promptly();
   for (;;) {
     const Requests requests = take_requests();
     if (requests.quit) return;

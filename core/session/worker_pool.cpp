@@ -1,21 +1,13 @@
 #include "core/session/worker_pool.h"
 
-#include <sched.h>
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
 
+#include "core/session/priority.h"
+
 namespace lightbench {
 namespace {
-
-// On Linux both apply to the calling thread. Failing leaves a thread of normal priority: harmless.
-void lower_priority() {
-  const sched_param none{};
-  (void)sched_setscheduler(0, SCHED_BATCH, &none);
-  (void)setpriority(PRIO_PROCESS, 0, 10);
-}
 
 void clear_tile(FilmView film, const Work& tile) {
   for (int y = tile.y0; y < tile.y1; ++y) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/scene/scene_io.h"
+#include "core/session/priority.h"
 #include "core/session/session.h"
 
 namespace {
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   options.interactive = true;
   options.low_priority = true;
 
+  react_promptly();  // as the viewer
   Session session(options);
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
