@@ -52,7 +52,6 @@ void run_window(Scene scene, const std::filesystem::path& file, const Applicatio
     *static_cast<bool*>(glfwGetWindowUserPointer(w)) = true;
   });
   Application application(gl, std::move(scene), file, options, glfwPostEmptyEvent);
-  // Now, for threads that a software renderer of OpenGL makes would inherit it.
   react_promptly();
   std::string title;
   while (!application.closing()) {

@@ -13,11 +13,6 @@ namespace lightbench {
 
 class Team;
 
-/// Float box that contains a double one (rounded outward).
-struct BvhBox {
-  float lo[3];
-  float hi[3];
-};
 /// Until `a` holds b too.
 inline void grow(BvhBox& a, const BvhBox& b) {
   for (int k = 0; k < 3; ++k) {

@@ -1,11 +1,18 @@
 #pragma once
-// Eight-wide BVH node and the triangle block of its leaves, shared by the builder (core/accel) and
-// the kernels. Bounds are float, rounded outward from double, whatever number type the kernel has.
+// Boxes, eight-wide BVH nodes and the triangle blocks of their leaves, shared by the builder
+// (core/accel) and the kernels. Bounds are float, rounded outward from double, whatever number type
+// the kernel has.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace lightbench {
+
+/// Float box that contains a double one (rounded outward).
+struct BvhBox {
+  float lo[3];
+  float hi[3];
+};
 
 inline constexpr int kBvhWidth = 8;
 

@@ -8,9 +8,8 @@
 LIGHTBENCH_KERNEL_BEGIN
 
 /// Finds the nearest hits before hit.t; with kShadow any hit will do. Without a tree closest hits
-/// are looked for among `surfaces` only. Never inlined: within the
-/// step of the path tracer it would take the inliner's budget from what is called there once per
-/// path.
+/// are looked for among `surfaces` only. Never inlined: within the step of the path tracer it would
+/// take the inliner's budget from what is called there once per path.
 template <bool kShadow>
 [[gnu::noinline]] void find_hits(const SceneView<T>& scene, const Ray& ray, Mask active,
                                  NearestHit& hit, const Surfaces& surfaces = kAllSurfaces) {

@@ -80,7 +80,7 @@ void fill_view(const Scene& scene, const Crop& crop, double film_unit, KernelPar
   v.meshes = g.mesh_views.data();
   v.hit_quality =
       range_of(*g.reach, scene.camera) <= kPlainRange ? HitQuality::Plain : HitQuality::Refined;
-  if (!g.boxes.empty()) v.boxes = g.boxes.data();
+  v.boxes = or_null(g.boxes);
   if (!g.tree.nodes.empty()) {
     v.nodes = g.tree.nodes.data();
     v.motion = g.tree.motion.empty() ? nullptr : g.tree.motion.data();

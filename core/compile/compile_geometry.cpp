@@ -236,11 +236,8 @@ std::shared_ptr<const GeometryPart<T>> compile_geometry(const Scene& scene,
     std::fill(std::begin(part->walls), std::end(part->walls), 0U);  // the tree knows none
     return part;
   }
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    grow(boxes[i], boxes_end[i]);
-    part->boxes.insert(part->boxes.end(), std::begin(boxes[i].lo), std::end(boxes[i].lo));
-    part->boxes.insert(part->boxes.end(), std::begin(boxes[i].hi), std::end(boxes[i].hi));
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) grow(boxes[i], boxes_end[i]);
+  part->boxes = std::move(boxes);
   return part;
 }
 

@@ -45,7 +45,7 @@ struct GeometryPart {
   std::vector<double> area;  ///< render space; of a mesh instance 0 (see light part)
   std::vector<MeshView<T>> mesh_views;
   std::vector<std::shared_ptr<const MeshPart<T>>> meshes;  ///< by Scene::meshes, null if unused
-  std::vector<float> boxes;                                ///< of surfaces, in tiny scenes
+  std::vector<BvhBox> boxes;                               ///< of surfaces, in tiny scenes
   Bvh tree;                                                ///< no nodes in tiny scenes
   std::vector<std::uint32_t> wide;                         ///< surfaces that the tree does without
   float built_cost = 0;  ///< expected_cost() of the tree when it was built, not fitted

@@ -139,7 +139,7 @@ struct SceneView {
   HitQuality hit_quality = HitQuality::Refined;
 
   // Closest hits: a loop over all primitives, or the BVH when `nodes` is set.
-  const float* boxes = nullptr;  ///< of the loop's surfaces over the shutter: lo, hi; else null
+  const BvhBox* boxes = nullptr;  ///< of the loop's surfaces, over the shutter
   const BvhNode* nodes = nullptr;
   const BvhMotion* motion = nullptr;      ///< null unless something moves
   const std::uint32_t* leaves = nullptr;  ///< primitive indices in leaf order

@@ -100,7 +100,7 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
 }
 
 /// By contribution: 32 random bits; candidates exist. `scale` = 1 / the sum of all, or 0. Out of
-/// line: within the caller it costs scenes with one light 1.8 % of their instructions (avx2).
+/// line, for registers: with 16 of them it is 1.046 times as fast, with 32 .99.
 [[gnu::noinline]] inline LightChoice choose_by_contribution(const SceneView<T>& scene,
                                                             const Chooser& at, Int random,
                                                             Real& scale) {

@@ -20,6 +20,7 @@ struct SchedulingAttributes {
 };
 
 constexpr std::uint64_t kShortestSlice = 100'000;  // that Linux grants
+constexpr std::uint64_t kResetOnFork = 1;          // threads that this one makes are as ever
 
 }  // namespace
 
@@ -32,6 +33,7 @@ void lower_priority() {
 void react_promptly() {
   SchedulingAttributes attributes;
   if (syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) != 0) return;
+  attributes.flags |= kResetOnFork;
   attributes.runtime = kShortestSlice;
   (void)syscall(SYS_sched_setattr, 0, &attributes, 0);
 }

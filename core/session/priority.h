@@ -9,7 +9,8 @@ void lower_priority();
 
 /// For threads that sleep until something happens and then do little: they interrupt a thread that
 /// computes instead of waiting for the end of its slice (Linux 6.12 on; EEVDF, Stoica and
-/// Abdel-Wahab 1995), without a greater share of the processor.
+/// Abdel-Wahab 1995), without a greater share of the processor. Threads that they make do not
+/// inherit it.
 void react_promptly();
 
 }  // namespace lightbench

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/compile/parts.h"
 #include "core/scene/scene_io.h"
+#include "tests/unit/changed_view.h"
 #include "tests/unit/small_scenes.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -84,15 +86,6 @@ TEST(InView, IsAllOfItThroughALens) {
   EXPECT_EQ(seen(scene, {0, 0, 60, 8}), (Balls{0, 1, 2, 3, 4}));
 }
 
-/// The same compiled scene whose camera rays are tested against all.
-RenderScene with_all_in_view(const RenderScene& scene) {
-  RenderScene copy = scene;
-  auto parts = std::make_shared<RenderScene::Parts>(*scene.parts);
-  std::visit([](auto& kernel) { kernel.view.boxes = nullptr; }, parts->kernel);
-  copy.parts = std::move(parts);
-  return copy;
-}
-
 std::uint64_t film_in_tiles(const RenderScene& scene, int stride) {
   const int width = (scene.crop.width + stride - 1) / stride;
   const int height = (scene.crop.height + stride - 1) / stride;
@@ -112,9 +105,9 @@ TEST(InView, ChangesNoBitOfAnyPicture) {
       if (cropped) scene.render.crop = {9, 5, 17, 13};
       for (const KernelKind kernel : {KernelKind::Auto, KernelKind::Reference}) {
         const auto compiled = compile(scene, kernel);
-        std::visit([&](const auto& k) { loops += k.view.boxes != nullptr ? 1 : 0; },
-                   compiled->parts->kernel);
-        const RenderScene other = with_all_in_view(*compiled);
+        const RenderScene other = with_changed_view(*compiled, [&loops](auto& view) {
+          if (std::exchange(view.boxes, nullptr) != nullptr) ++loops;
+        });
         for (const int stride : {1, 2})
           EXPECT_EQ(film_in_tiles(*compiled, stride), film_in_tiles(other, stride))
               << name << " in " << kernel_name(kernel) << ", stride " << stride

@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/compile/parts.h"
 #include "core/compile/render_scene.h"
+#include "tests/unit/changed_view.h"
 #include "tests/unit/small_scenes.h"
 
 namespace lightbench {
@@ -92,33 +92,22 @@ TEST(Kernel, WorkMayBeDividedInAnyWay) {
   }
 }
 
-/// The same compiled scene, all of whose numbers are gathered from tables.
-RenderScene without_columns(const RenderScene& scene, int* columns) {
-  RenderScene copy = scene;
-  auto parts = std::make_shared<RenderScene::Parts>(*scene.parts);
-  const auto drop = [columns](auto& of) {
-    if (std::exchange(of.column, nullptr) != nullptr) ++*columns;
-  };
-  std::visit(
-      [&](auto& kernel) {
-        drop(kernel.view.offset);
-        drop(kernel.view.material);
-        drop(kernel.view.first_light);
-        drop(kernel.view.light_primitive);
-      },
-      parts->kernel);
-  copy.parts = std::move(parts);
-  return copy;
-}
-
 TEST(Kernel, ColumnsHoldWhatTheTablesHold) {
   int columns = 0;
   for (const auto& [name, scene] : small_scenes(32, 24)) {
     for (const KernelKind kernel : kKernels) {
       if (!kernel_supported(kernel)) continue;
       const auto compiled = compile(scene, kernel);
-      EXPECT_EQ(film_of(*compiled, 3).hash(),
-                film_of(without_columns(*compiled, &columns), 3).hash())
+      const RenderScene gathered = with_changed_view(*compiled, [&columns](auto& view) {
+        const auto drop = [&columns](auto& of) {
+          if (std::exchange(of.column, nullptr) != nullptr) ++columns;
+        };
+        drop(view.offset);
+        drop(view.material);
+        drop(view.first_light);
+        drop(view.light_primitive);
+      });
+      EXPECT_EQ(film_of(*compiled, 3).hash(), film_of(gathered, 3).hash())
           << name << " in " << kernel_name(kernel);
     }
   }

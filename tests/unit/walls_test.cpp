@@ -10,6 +10,7 @@
 #include "core/compile/scene_reach.h"
 #include "core/query/rays.h"
 #include "core/scene/scene_io.h"
+#include "tests/unit/changed_view.h"
 
 namespace lightbench {
 namespace {
@@ -88,25 +89,6 @@ TEST(Walls, HaveNothingBehindThem) {
   EXPECT_FALSE(walls(scene)[0]);
 }
 
-/// The same compiled scene whose shadow rays are tested against all.
-template <class T>
-void ask_all(KernelParts<T>& parts) {
-  parts.view = with_all_occluders(parts.view);
-}
-RenderScene with_walls_tested(const RenderScene& scene, unsigned* walls) {
-  RenderScene copy = scene;
-  auto parts = std::make_shared<RenderScene::Parts>(*scene.parts);
-  std::visit(
-      [&](auto& kernel) {
-        for (unsigned k = 0; k < kPrimitiveKinds; ++k)
-          *walls += kernel.view.kind_begin[k + 1] - kernel.view.occluders_end[k];
-        ask_all(kernel);
-      },
-      parts->kernel);
-  copy.parts = std::move(parts);
-  return copy;
-}
-
 TEST(Walls, ChangeNoBitOfThePicturesOfRooms) {
   for (const char* name : {"cornell-box", "cornell-plain", "cornell-smoke", "quads"}) {
     Scene scene = load_scene(std::string(LIGHTBENCH_SOURCE_DIR "/scenes/") + name + ".json", {});
@@ -114,7 +96,11 @@ TEST(Walls, ChangeNoBitOfThePicturesOfRooms) {
     for (const KernelKind kernel : {KernelKind::Auto, KernelKind::Reference}) {
       const auto compiled = compile(scene, kernel);
       unsigned walls = 0;
-      const RenderScene other = with_walls_tested(*compiled, &walls);
+      const RenderScene other = with_changed_view(*compiled, [&](auto& view) {
+        for (unsigned k = 0; k < kPrimitiveKinds; ++k)
+          walls += view.kind_begin[k + 1] - view.occluders_end[k];
+        view = with_all_occluders(view);
+      });
       EXPECT_GE(walls, 4U) << name;
       EXPECT_EQ(proof::render_film(*compiled, 8).hash(), proof::render_film(other, 8).hash())
           << name << " in " << kernel_name(kernel);
