@@ -242,11 +242,10 @@ class BsdfQuestions : public Questions {
     const bool sample = fields.has("u");
     if (sample) {
       const Material& m = subject_.scene.materials[static_cast<std::size_t>(query.material)];
-      const bool wants_lobe = m.kind == MaterialKind::Dielectric || m.fuzz > 0;
-      const std::vector<double> u = fields.units("u", wants_lobe ? 3 : 2, 3);
+      const std::vector<double> u = fields.units("u", m.fuzz > 0 ? 3 : 2, 3);
       query.u = u[0];
       query.v = u[1];
-      query.lobe = u.size() > 2 ? u[2] : 0;
+      query.w = u.size() > 2 ? u[2] : 0;
       fields.optional("wo");
     } else {
       query.wi = fields.direction("wo");

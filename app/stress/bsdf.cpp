@@ -49,7 +49,7 @@ std::string describe(const Surface& s, const BsdfQuery& q) {
       "material {} fuzz {:.17g} roughness {:.17g} ior {:.17g}, n {} wo {} wi {} u "
       "{:.17g} {:.17g} {:.17g}",
       static_cast<int>(s.material.kind), s.material.fuzz, s.material.roughness, s.material.ior,
-      to_text(q.normal), to_text(q.wo), to_text(q.wi), q.u, q.v, q.lobe);
+      to_text(q.normal), to_text(q.wo), to_text(q.wi), q.u, q.v, q.w);
 }
 
 /// Unit, at cos 10^U(-4,0) to n, on either side.
@@ -74,7 +74,7 @@ double reflected_share(const Surface& s, BsdfQuery q) {
     for (int k = 0; k < kGrid; ++k) {
       q.u = (i + 0.5) / kGrid;
       q.v = (k + 0.5) / kGrid;
-      q.lobe = (static_cast<int>(queries.size()) * 619 % (kGrid * kGrid) + 0.5) / (kGrid * kGrid);
+      q.w = (static_cast<int>(queries.size()) * 619 % (kGrid * kGrid) + 0.5) / (kGrid * kGrid);
       queries.push_back(q);
     }
   }
@@ -196,7 +196,7 @@ void add_samples(std::vector<Test>& tests) {
              q = random_query(random);
              q.u = number();
              q.v = number();
-             q.lobe = number();
+             q.w = number();
            }
            std::vector<BsdfSample> samples(trials);
            sample_bsdf(*s.scene, queries, samples);

@@ -27,7 +27,7 @@ double reflected_share(const RenderScene& scene, double cosine, int count) {
     };
     q.u = number(0);
     q.v = number(1);
-    q.lobe = number(2);
+    q.w = number(2);
   }
   std::vector<BsdfSample> samples(queries.size());
   sample_bsdf(scene, queries, samples);

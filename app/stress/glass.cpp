@@ -70,15 +70,15 @@ bool reflected(const BsdfQuery& q, const BsdfSample& s) {
   return glm::dot(s.wi, q.normal) * glm::dot(q.wo, q.normal) > 0;
 }
 
-/// Share of the numbers `lobe` that reflect, by bisection.
+/// Share of the numbers `u` that reflect, by bisection.
 std::vector<double> reflectances(const RenderScene& scene, std::vector<BsdfQuery> queries) {
   std::vector<double> low(queries.size(), 0), high(queries.size(), 1);
   std::vector<BsdfSample> samples(queries.size());
   for (int step = 0; step < 53; ++step) {
-    for (std::size_t i = 0; i < queries.size(); ++i) queries[i].lobe = 0.5 * (low[i] + high[i]);
+    for (std::size_t i = 0; i < queries.size(); ++i) queries[i].u = 0.5 * (low[i] + high[i]);
     sample_bsdf(scene, queries, samples);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      (reflected(queries[i], samples[i]) ? low : high)[i] = queries[i].lobe;
+      (reflected(queries[i], samples[i]) ? low : high)[i] = queries[i].u;
     }
   }
   return low;
@@ -152,7 +152,7 @@ void add_glass_tests(std::vector<Test>& tests) {
            std::vector<BsdfQuery> queries(trials);
            for (BsdfQuery& q : queries) q = random_query(random, iors);
            const std::vector<double> reflectance = reflectances(*compiled, queries);
-           for (BsdfQuery& q : queries) q.lobe = kLast;
+           for (BsdfQuery& q : queries) q.u = kLast;
            std::vector<BsdfSample> samples(trials);
            sample_bsdf(*compiled, queries, samples);
            for (std::size_t i = 0; i < trials; ++i) {

@@ -32,8 +32,8 @@ struct KernelFunctions {
   /// The warp of u, rounded to the kernel's number type below 1; unused components are 0. Filters
   /// are of radius 1.
   void (*warp)(Warp warp, const double (&u)[2], double (&out)[3]);
-  /// Samples first, first + 1, ... of a dimension pair of picture pixel (x, y), one after the
-  /// other.
+  /// Samples first, first + 1, ... of a pair of dimensions of picture pixel (x, y), one after the
+  /// other: pair 2 s is the first half of set s, 2 s + 1 the second.
   void (*sequence)(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t pair,
                    std::uint32_t first, std::span<std::array<double, 2>> out);
 };

@@ -1,5 +1,5 @@
-// The sample sequence: stratified, evenly distributed, independent from pixel to pixel, and as
-// quick to converge as a (0,2)-sequence should be.
+// The sample sequence: stratified by pairs of dimensions and by sets of four, evenly distributed,
+// independent from pixel to pixel, and as quick to converge as a (0,2)-sequence should be.
 
 #include <fmt/format.h>
 
@@ -18,13 +18,17 @@ namespace {
 
 using Points = std::vector<std::array<double, 2>>;
 
-/// Dimension pairs that paths use: filter, lens, time, four for each of 50 vertices, and the free
+/// Sets of dimensions that paths use: filter and time, three for each of 50 vertices, and the free
 /// flights of up to 8 media.
-std::uint32_t random_pair(Random& random) {
-  const auto pair = static_cast<std::uint32_t>(random.below(3 + 4 * 50));
-  if (random.chance(0.9)) return pair;
-  return 6U + 4U * static_cast<std::uint32_t>(random.below(50)) +
+std::uint32_t random_set(Random& random) {
+  const auto set = static_cast<std::uint32_t>(random.below(3 + 3 * 50));
+  if (random.chance(0.9)) return set;
+  return 5U + 3U * static_cast<std::uint32_t>(random.below(50)) +
          (static_cast<std::uint32_t>(random.below(8)) << 16U);
+}
+/// Half of one of them.
+std::uint32_t random_pair(Random& random) {
+  return 2 * random_set(random) + static_cast<std::uint32_t>(random.below(2));
 }
 
 struct Pixel {
@@ -74,6 +78,61 @@ void add_intervals(std::vector<Test>& tests) {
              if (!even) {
                tallies[0].fail([&] {
                  return describe(p, pair) + fmt::format(", samples from {}, k = {}", first, k);
+               });
+             }
+           }
+         };
+       }});
+}
+
+/// Whether each box with sides of 4^-digits holds one of the points (a, b); their number is 4 to
+/// the sum of the digits.
+bool fill_boxes(const Points& a, const Points& b, const std::array<int, 4>& digits) {
+  std::vector<bool> taken(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::array<double, 4> u{a[i][0], a[i][1], b[i][0], b[i][1]};
+    std::size_t box = 0;
+    for (std::size_t d = 0; d < 4; ++d) {
+      box = (box << (2 * digits[d])) + static_cast<std::size_t>(std::ldexp(u[d], 2 * digits[d]));
+    }
+    if (taken[box]) return false;
+    taken[box] = true;
+  }
+  return true;
+}
+
+void add_boxes(std::vector<Test>& tests) {
+  tests.push_back(
+      {"sequence, boxes of four dimensions",
+       "any pixel, seed and set in use; an aligned block of 4^k samples, k to 5, and all its 4^k "
+       "boxes of each form with sides of powers of 1/4",
+       {{"sequence, boxes without one point each", "", kNoLimit, kNoLimit, 0}},
+       500,
+       200'000,
+       64,
+       [](KernelKind kernel) -> Chunk {
+         return [kernel](Random& random, std::uint64_t trials, std::span<Tally> tallies) {
+           for (std::uint64_t i = 0; i < trials; ++i) {
+             const Pixel p = random_pixel(random);
+             const std::uint32_t set = random_set(random);
+             const int k = random.below(6);
+             Points a(std::size_t{1} << (2 * k)), b(a.size());
+             const auto first = static_cast<std::uint32_t>(random.below(64)) *
+                                static_cast<std::uint32_t>(a.size());
+             functions_of(kernel).sequence(p.x, p.y, p.seed, 2 * set, first, a);
+             functions_of(kernel).sequence(p.x, p.y, p.seed, 2 * set + 1, first, b);
+             bool even = true;
+             for (int x = 0; x <= k; ++x) {
+               for (int y = 0; x + y <= k; ++y) {
+                 for (int z = 0; x + y + z <= k; ++z) {
+                   even = even && fill_boxes(a, b, {x, y, z, k - x - y - z});
+                 }
+               }
+             }
+             tallies[0].trial();
+             if (!even) {
+               tallies[0].fail([&] {
+                 return describe(p, 2 * set) + fmt::format(", samples from {}, k = {}", first, k);
                });
              }
            }
@@ -236,6 +295,7 @@ void add_convergence(std::vector<Test>& tests) {
 
 void add_sequence_tests(std::vector<Test>& tests) {
   add_intervals(tests);
+  add_boxes(tests);
   add_dimensions(tests);
   add_convergence(tests);
 }

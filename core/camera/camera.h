@@ -2,7 +2,7 @@
 // Camera rays: pixel filter, thin lens, shutter.
 
 #include "core/kernel/uses.h"
-#include "core/sampling/sobol.h"
+#include "core/sampling/dimensions.h"
 #include "core/shapes/shape.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -42,7 +42,7 @@ inline Ray camera_ray(const SceneView<T>& scene, Real x, Real y, const Sampler& 
   ray.o = vec(camera.origin);
   ray.d = madd(vec(camera.right), sx, madd(vec(camera.up), sy, vec(camera.forward)));
   if (uses(scene, Feature::Lens)) {
-    const Vec2 lens = square_to_disk(sampler.pair(Int(dimension::kLens)));
+    const Vec2 lens = square_to_disk(lens_numbers(sampler));
     // right and up are as long as half the picture at distance 1; the lens wants them unit.
     const Vec offset = normalize(vec(camera.right)) * (lens.x * camera.lens_radius) +
                        normalize(vec(camera.up)) * (lens.y * camera.lens_radius);
@@ -51,7 +51,7 @@ inline Ray camera_ray(const SceneView<T>& scene, Real x, Real y, const Sampler& 
     ray.o = ray.o + offset;
   }
   ray.d = normalize(ray.d);
-  ray.time = uses(scene, Feature::Motion) ? sampler.pair(Int(dimension::kTime)).x : Real(0);
+  ray.time = uses(scene, Feature::Motion) ? sampler.first(Int(dimension::kTime)).x : Real(0);
   ray.from = ray.from_slot = ray.skip = ray.skip_slot = Int(kNoHit);
   ray.inside = ray.skip_back = false;
   return ray;

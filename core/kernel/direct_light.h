@@ -9,6 +9,7 @@
 #include "core/lights/detour.h"
 #include "core/materials/scatter.h"
 #include "core/media/medium.h"
+#include "core/sampling/dimensions.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -33,12 +34,12 @@ inline Int trace_leg(const SceneView<T>& scene, const Ray& ray, Real length, Mas
 /// find_hits().
 template <class Watch>
 [[gnu::noinline]] inline void add_direct_light(const SceneView<T>& scene, const Vertex& v,
-                                               const Frame& frame, Int dimension_base, Mask active,
-                                               Paths& paths, Counters& counters, Watch& watch) {
-  const Int random = paths.sampler.pair_bits(dimension_base + Int(dimension::kChoice)).x;
+                                               const Frame& frame, Mask active, Paths& paths,
+                                               Counters& counters, Watch& watch) {
+  const Bits2 random = light_numbers(scene, paths.sampler, vertex_number(paths));
   const Chooser at{v.reflect_from, select(v.in_medium, Vec(Real(0)), v.n), paths.ray.time};
   Real scale;
-  const LightChoice chosen = choose_light(scene, at, random, active, scale);
+  const LightChoice chosen = choose_light(scene, at, random.x, active, scale);
   if (point_chooses(scene)) {
     paths.choice_scale = select(active, scale, paths.choice_scale);
     paths.chosen_from = select(active, at.p, paths.chosen_from);
@@ -47,7 +48,7 @@ template <class Watch>
     if (none(active)) return;
   }
   const LightPlace place = place_of(scene, chosen.light);
-  const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kLight));
+  const Vec2 u{chosen.rest, unit_from_bits(random.y)};
   const bool detours = has_detours(scene);
   const Mask detour = active && chosen.via != Int(kStraight);
   const bool some_detour = detours && any(detour);

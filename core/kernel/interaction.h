@@ -16,11 +16,6 @@ struct Interaction {
   MediumHit medium;
 };
 
-/// First of the dimensions of the vertex at the end of a path's last segment.
-inline Int first_dimension(const Paths& paths) {
-  return (paths.segments - Int(1U)) * Int(dimension::kPerVertex) + Int(dimension::kFirstVertex);
-}
-
 /// Traces the rays of the live paths: one segment more. `surfaces` as find_hits() has it. Out of
 /// line, for it has two callers.
 [[gnu::noinline]] inline Interaction intersect(const SceneView<T>& scene, Paths& paths,
@@ -34,7 +29,7 @@ inline Int first_dimension(const Paths& paths) {
   paths.segments = select(alive, paths.segments + Int(1U), paths.segments);
   if (uses(scene, Feature::Media)) {
     met.medium =
-        sample_media(scene, paths.ray, met.hit.t, paths.sampler, first_dimension(paths), alive);
+        sample_media(scene, paths.ray, met.hit.t, paths.sampler, vertex_number(paths), alive);
   }
   return met;
 }

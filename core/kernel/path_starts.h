@@ -96,7 +96,7 @@ inline Paths start_paths(const SceneView<T>& scene, int stride, Int x, Int y, In
   paths.sample = sample;
   paths.sampler.pixel_key = hash(hash(x, y), Int(scene.seed));
   begin_paths(scene, active, paths);
-  const Vec2 u = paths.sampler.pair(Int(dimension::kFilter));
+  const Vec2 u = filter_numbers(paths.sampler);
   // Within a pixel by the filter; the quick look spreads evenly over the block a pixel stands for.
   const Vec2 offset =
       stride == 1 ? sample_filter(scene.camera, u) : Vec2{u.x - T(0.5), u.y - T(0.5)};

@@ -20,7 +20,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
                   Counters& counters, Watch& watch) {
   const NearestHit& hit = met.hit;
   const MediumHit& medium = met.medium;
-  const Int dimension_base = first_dimension(paths);
+  const Int vertex = vertex_number(paths);
   Vertex v;
   v.in_medium = uses(scene, Feature::Media) ? paths.alive && medium.scattered : Mask(false);
   v.on_surface = paths.alive && !v.in_medium;
@@ -54,14 +54,13 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   paths.ray.from_slot = hit.slot;
   const Mask lit = going && (v.in_medium || !is_delta_or_black(v.material));
   if (uses(scene, Feature::Lights) && any(lit))
-    add_direct_light(scene, v, frame, dimension_base, lit, paths, counters, watch);
+    add_direct_light(scene, v, frame, lit, paths, counters, watch);
 
-  const Vec2 u = paths.sampler.pair(dimension_base + Int(dimension::kBsdf));
-  const Mask wants_lobe =
-      is_kind(v.material, BsdfKind::Dielectric) || is_kind(v.material, BsdfKind::Fuzz);
-  const Real u_lobe =
-      any(wants_lobe) ? paths.sampler.pair(dimension_base + Int(dimension::kDistance)).x : Real(0);
-  BsdfSample next = sample_bsdf(scene, v.material, frame, v.wo, v.front, u, u_lobe);
+  const Vec2 u = direction_numbers(scene, paths.sampler, vertex);
+  Real u_fuzz(0);
+  if (uses(scene, Feature::Fuzz) && any(is_kind(v.material, BsdfKind::Fuzz)))
+    u_fuzz = paths.sampler.first(vertex_sets(vertex) + Int(dimension::kDistance)).x;
+  BsdfSample next = sample_bsdf(scene, v.material, frame, v.wo, v.front, u, u_fuzz);
   const Mask same_side = dot(next.wi, v.ng) > Real(0);
   // Shading normals can send a reflection below the real surface, or a refraction above it.
   next.valid = next.valid && same_side == (dot(next.wi, v.n) > Real(0));
@@ -124,7 +123,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
     // of a long one without losses (total reflection) would grow without limit.
     const Real survival =
         min(max_component(paths.throughput) * paths.roulette_scale * kRouletteSurvival, Real(1));
-    const Real dice = paths.sampler.pair(dimension_base + Int(dimension::kChoice)).y;
+    const Real dice = paths.sampler.first(vertex_sets(vertex) + Int(dimension::kRoulette)).x;
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {
       watch.roulette(roulette, survival);

@@ -25,4 +25,7 @@ struct Paths {
   Mask alive;
 };
 
+/// Of the vertex at the end of a path's last segment; the first is 0.
+inline Int vertex_number(const Paths& paths) { return paths.segments - Int(1U); }
+
 LIGHTBENCH_KERNEL_END

@@ -8,11 +8,18 @@ LIGHTBENCH_KERNEL_BEGIN
 
 /// What a light sampler chose: a light, and by way of which face or lens (mirrors come
 /// first, then panes, then lenses), kStraight for the light itself. pmf is 0 where nothing can be
-/// chosen.
+/// chosen. `rest` is what the choice left of the number that made it, stretched to [0,1): where on
+/// the light the sample is. So the samples of one light, a stripe of the points of a pair of
+/// dimensions, keep their stratification (Shirley, Wang, Zimmerman 1996).
 struct LightChoice {
   Int light, via;
-  Real pmf;
+  Real pmf, rest;
 };
+
+/// Of a number that fell into a part of length `share`, `rest` from where that begins.
+inline Real stretched(Real rest, Real share) {
+  return clamp(rest / select(share > Real(0), share, Real(1)), Real(0), Real(T(1) - kEpsilon));
+}
 
 /// The point that chooses; n is 0 in a medium, which looks all around. `time` is where lenses are.
 struct Chooser {

@@ -20,12 +20,15 @@ LIGHTBENCH_KERNEL_BEGIN
 
 /// By power: 32 random bits; scene.light_count > 0.
 inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
+  if (scene.light_count == 1) return {Int(0U), Int(kStraight), Real(1), unit_from_bits(random)};
   const Int i = scale_bits(random, scene.light_count);
   // The low half of the product is the position within the bin.
-  const Mask keep =
-      unit_from_bits(random * Int(scene.light_count)) < gather(scene.alias_threshold, i);
+  const Real u = unit_from_bits(random * Int(scene.light_count));
+  const Real threshold = gather(scene.alias_threshold, i);
+  const Mask keep = u < threshold;
   const Int light = select(keep, i, gather(scene.alias_other, i));
-  return {light, Int(kStraight), gather(scene.light_pmf, light)};
+  return {light, Int(kStraight), gather(scene.light_pmf, light),
+          stretched(select(keep, u, u - threshold), select(keep, threshold, Real(1) - threshold))};
 }
 
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
@@ -105,15 +108,16 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
                                                             const Chooser& at, Int random,
                                                             Real& scale) {
   const Contributions c = contributions(scene, at);
-  LightChoice choice{Int(0U), Int(kStraight), Real(0)};
-  const Picked picked =
-      pick(c, unit_from_bits(random), scene.candidate_count, [&](std::uint32_t i, Mask m) {
-        const T* row = scene.light_candidates + i * kLightCandidateStride;
-        choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
-        choice.via = select(m, Int(via_of(row[9])), choice.via);
-      });
+  LightChoice choice{Int(0U), Int(kStraight), Real(0), Real(0)};
+  const Real u = unit_from_bits(random);
+  const Picked picked = pick(c, u, scene.candidate_count, [&](std::uint32_t i, Mask m) {
+    const T* row = scene.light_candidates + i * kLightCandidateStride;
+    choice.light = select(m, Int(static_cast<std::uint32_t>(row[8])), choice.light);
+    choice.via = select(m, Int(via_of(row[9])), choice.via);
+  });
   scale = select(c.total > Real(0), Real(1) / c.total, Real(0));
   choice.pmf = picked.value * scale;
+  choice.rest = stretched(u * c.total - picked.before, picked.value);
   return choice;
 }
 

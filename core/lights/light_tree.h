@@ -65,11 +65,10 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
   Int refill = random;
   const auto stretch = [&](Real rest, Real share) {
     refill = hash(refill);
-    rest = rest + unit_from_bits(refill) * T(0x1p-24);
-    u = clamp(rest / select(share > Real(0), share, Real(1)), Real(0), Real(T(1) - kEpsilon));
+    return stretched(rest + unit_from_bits(refill) * T(0x1p-24), share);
   };
   Real pmf = cluster.value * scale;
-  stretch(u - cluster.before * scale, pmf);
+  u = stretch(u - cluster.before * scale, pmf);
   Int child = gather(scene.light_children, node);
   Mask inner = active && pmf > Real(0) && is_inner(child);
   while (any(inner)) {
@@ -81,14 +80,14 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
     const Mask left = u < p;
     const Real share = select(left, p, Real(1) - p);
     pmf = select(inner, select(some, pmf * share, Real(0)), pmf);
-    stretch(select(left, u, u - p), share);
+    u = select(inner, stretch(select(left, u, u - p), share), u);
     node = select(left, children, children + Int(1U));
     child = select(some, gather(scene.light_children, node), child);
     inner = some && is_inner(child);
   }
   const Mask leaf = active && !is_inner(child);
   return {select(leaf, child & Int(~kLightLeaf), Int(0U)), Int(kStraight),
-          select(leaf, pmf, Real(0))};
+          select(leaf, pmf, Real(0)), u};
 }
 
 /// Probability with which the point chooses the light, by the `scale` that its choice gave.

@@ -28,9 +28,9 @@ inline void merge(Mask m, const BsdfSample& from, BsdfSample& into) {
   into.delta = select(m, from.delta, into.delta);
 }
 
-/// u: the direction; u_lobe: reflection or refraction, or the fuzz radius.
+/// u: the direction, or of glass whether it reflects or refracts; u_fuzz: the fuzz radius.
 inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, const Frame& frame,
-                              Vec wo, Mask entering, Vec2 u, Real u_lobe) {
+                              Vec wo, Mask entering, Vec2 u, Real u_fuzz) {
   BsdfSample s{frame.z, Vec(Real(0)), Real(0), Mask(false), Mask(false)};
   const Mask lambertian = is_kind(m, BsdfKind::Lambertian);
   if (uses(scene, Feature::Lambertian) && any(lambertian)) {
@@ -44,7 +44,7 @@ inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, cons
   }
   const Mask fuzz = is_kind(m, BsdfKind::Fuzz);
   if (uses(scene, Feature::Fuzz) && any(fuzz)) {
-    merge(fuzz, sample_fuzz(m.base_color, m.fuzz, frame.z, wo, u, u_lobe), s);
+    merge(fuzz, sample_fuzz(m.base_color, m.fuzz, frame.z, wo, u, u_fuzz), s);
   }
   const Mask ggx = is_kind(m, BsdfKind::Ggx);
   if (uses(scene, Feature::Ggx) && any(ggx)) {
@@ -52,7 +52,7 @@ inline BsdfSample sample_bsdf(const SceneView<T>& scene, const Material& m, cons
   }
   const Mask glass = is_kind(m, BsdfKind::Dielectric);
   if (uses(scene, Feature::Dielectric) && any(glass)) {
-    merge(glass, sample_dielectric(m.base_color, m.ior, entering, frame.z, wo, u_lobe), s);
+    merge(glass, sample_dielectric(m.base_color, m.ior, entering, frame.z, wo, u.x), s);
   }
   // A direction along the surface can round to below it: no opaque material scatters there.
   s.valid = s.valid && (s.delta || dot(s.wi, frame.z) > Real(0));

@@ -5,7 +5,7 @@
 
 #include "core/accel/mesh_hit.h"
 #include "core/accel/primitive_hit.h"
-#include "core/sampling/sobol.h"
+#include "core/sampling/dimensions.h"
 
 LIGHTBENCH_KERNEL_BEGIN
 
@@ -47,12 +47,12 @@ struct MediumHit {
 
 /// Free flight through all media of the scene.
 inline MediumHit sample_media(const SceneView<T>& scene, const Ray& ray, Real t_max,
-                              const Sampler& sampler, Int dimension_base, Mask active) {
+                              const Sampler& sampler, Int vertex, Mask active) {
   MediumHit hit{t_max, Vec(Real(1)), Mask(false)};
   for (std::uint32_t k = 0; k < scene.medium_count; ++k) {
     const MediumView<T>& medium = scene.media[k];
     // Every medium has a dimension of its own.
-    const Real u = sampler.pair(dimension_base + Int(dimension::kDistance + (k << 16))).y;
+    const Real u = sampler.first(vertex_sets(vertex) + Int(dimension::kDistance + (k << 16))).y;
     const Real flight = exponential(u) / medium.sigma;
     Real t(kInfinity);
     if (scene.kind[medium.boundary] != static_cast<std::uint32_t>(PrimitiveKind::Mesh)) {

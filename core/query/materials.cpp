@@ -26,7 +26,7 @@ KernelBsdfQuery to_kernel(const BsdfQuery& q) {
   put(unit<T>(q.wi), k.wi);
   k.u[0] = q.u;
   k.u[1] = q.v;
-  k.u[2] = q.lobe;
+  k.u[2] = q.w;
   return k;
 }
 

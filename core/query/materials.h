@@ -16,8 +16,8 @@ struct BsdfQuery {
   glm::dvec3 normal{0, 0, 1};  ///< outward; says which side of a dielectric is inside
   glm::dvec3 wo{0, 0, 1};      ///< towards the viewer: the direction that the path came from
   glm::dvec3 wi{0, 0, 1};      ///< towards the light; ignored when sampling
-  double u = 0, v = 0;         ///< [0,1), pick wi
-  double lobe = 0;             ///< [0,1), picks reflection or refraction, or the radius of fuzz
+  double u = 0, v = 0;         ///< [0,1), pick wi; of glass, u reflection or refraction
+  double w = 0;                ///< [0,1), picks the radius of fuzz
 };
 
 /// Radiance, importance and density are per solid angle (1/sr). Delta lobes (mirrors, glass) have

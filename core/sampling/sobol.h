@@ -1,12 +1,13 @@
 #pragma once
-// Owen-scrambled Sobol points, padded: every pair of dimensions is a (0,2)-sequence of its own,
-// with its index order and both coordinates scrambled by hashes of (seed, pixel, dimension pair).
-// Burley, "Practical Hash-based Owen Scrambling", JCGT 9:4 (2020), with the hash constants of N.
-// Vegdahl (psychopath.io, 2021-01-30). A number is a pure function of (seed, pixel, sample,
-// dimension).
+// Owen-scrambled points, padded: every set of four dimensions is a (0,4)-sequence in base 4 of its
+// own (core/sampling/quaternary.h), and each half of it, a pair of dimensions, a (0,2)-sequence in
+// base 2; index order and all coordinates are scrambled by hashes of (seed, pixel, set). Burley,
+// "Practical Hash-based Owen Scrambling", JCGT 9:4 (2020), with the hash constants of N. Vegdahl
+// (psychopath.io, 2021-01-30). A number is a pure function of (seed, pixel, sample, dimension).
 
 #include "core/kernel/vec.h"
 #include "core/sampling/hash.h"
+#include "core/sampling/quaternary.h"
 #include "core/sampling/warp.h"
 
 LIGHTBENCH_KERNEL_BEGIN
@@ -21,61 +22,58 @@ inline Int scramble_reversed(Int x, Int seed) {
   return x;
 }
 
-/// Second Sobol dimension of `index`, with its bits reversed: the Pascal-triangle matrix mod 2 by
-/// five shifted xors (Ahmed 2024).
-inline Int sobol_second_reversed(Int index) {
-  Int x = index;
-  x ^= x >> 16;
-  x ^= (x & Int(0xff00ff00U)) >> 8;
-  x ^= (x & Int(0xf0f0f0f0U)) >> 4;
-  x ^= (x & Int(0xccccccccU)) >> 2;
-  x ^= (x & Int(0xaaaaaaaaU)) >> 1;
-  return x;
-}
-
-/// Names of the dimension pairs of a path.
-namespace dimension {
-inline constexpr std::uint32_t kFilter = 0;
-inline constexpr std::uint32_t kLens = 1;
-inline constexpr std::uint32_t kTime = 2;
-inline constexpr std::uint32_t kFirstVertex = 3;
-inline constexpr std::uint32_t kPerVertex = 4;
-// Offsets within a vertex.
-inline constexpr std::uint32_t kBsdf = 0;
-inline constexpr std::uint32_t kLight = 1;
-inline constexpr std::uint32_t kChoice = 2;    ///< light choice, roulette
-inline constexpr std::uint32_t kDistance = 3;  ///< free flight, third dimension of a lobe
-}  // namespace dimension
+/// Two numbers of 32 bits each.
+struct Bits2 {
+  Int x, y;
+};
+inline Vec2 unit_from_bits(Bits2 b) { return {unit_from_bits(b.x), unit_from_bits(b.y)}; }
 
 struct Sampler {
   Int pixel_key;             ///< hash of seed and pixel
   Int reversed_index;        ///< sample index, bits reversed
   bool independent = false;  ///< hashes instead of Sobol points: plain Monte Carlo
 
-  /// Both numbers as 32 bits each.
-  struct Bits {
-    Int x, y;
-  };
-  [[nodiscard]] Bits pair_bits(Int dimension_pair) const {
-    // Distinct for each dimension of a pixel: an odd step never repeats.
-    const Int key = hash(pixel_key + dimension_pair * Int(0x9e3779b9U));
+  /// The first half of a set.
+  [[nodiscard]] Bits2 first_bits(Int set) const {
+    return half(set, Int(0U), [](Int index) { return Bits2{index, second_reversed(index)}; });
+  }
+  [[nodiscard]] Bits2 second_bits(Int set) const {
+    return half(set, Int(kSecond), [](Int index) {
+      return Bits2{third_reversed(index), fourth_reversed(index)};
+    });
+  }
+  /// The second half in the lanes of `second`, the first in the others.
+  [[nodiscard]] Bits2 either_bits(Int set, Mask second) const {
+    return half(set, select(second, Int(kSecond), Int(0U)), [&](Int index) {
+      return Bits2{select(second, third_reversed(index), index),
+                   select(second, fourth_reversed(index), second_reversed(index))};
+    });
+  }
+  [[nodiscard]] Vec2 first(Int set) const { return unit_from_bits(first_bits(set)); }
+  [[nodiscard]] Vec2 second(Int set) const { return unit_from_bits(second_bits(set)); }
+  [[nodiscard]] Vec2 either(Int set, Mask second) const {
+    return unit_from_bits(either_bits(set, second));
+  }
+
+ private:
+  static constexpr std::uint32_t kSecond = 0x7feb352dU;
+
+  /// `generate` gives both coordinates of an index with their bits reversed; `which` tells the
+  /// halves' scrambles apart.
+  template <class Generate>
+  Bits2 half(Int set, Int which, Generate generate) const {
+    // Distinct for each set of a pixel: an odd step never repeats.
+    const Int key = hash(pixel_key + set * Int(0x9e3779b9U));
+    const Int key_x = which ^ Int(0x68bc21ebU), key_y = which ^ Int(0x02e5be93U);
     if (independent) {
       const Int both = hash(key ^ reversed_index);
-      return {hash(both ^ Int(0x68bc21ebU)), hash(both ^ Int(0x02e5be93U))};
+      return {hash(both ^ key_x), hash(both ^ key_y)};
     }
     // Owen scrambling the index shuffles the order within every aligned block of 2^k samples, so
-    // that pairs are independent of each other while each keeps its stratification.
-    const Int index = reverse_bits(scramble_reversed(reversed_index, key));
-    // The first dimension is the index reversed; the scramble wants it reversed, which is the
-    // index.
-    const Int x = reverse_bits(scramble_reversed(index, hash(key ^ Int(0x68bc21ebU))));
-    const Int y =
-        reverse_bits(scramble_reversed(sobol_second_reversed(index), hash(key ^ Int(0x02e5be93U))));
-    return {x, y};
-  }
-  [[nodiscard]] Vec2 pair(Int dimension_pair) const {
-    const Bits b = pair_bits(dimension_pair);
-    return {unit_from_bits(b.x), unit_from_bits(b.y)};
+    // that sets are independent of each other while each keeps its stratification.
+    const Bits2 point = generate(reverse_bits(scramble_reversed(reversed_index, key)));
+    return {reverse_bits(scramble_reversed(point.x, hash(key ^ key_x))),
+            reverse_bits(scramble_reversed(point.y, hash(key ^ key_y)))};
   }
 };
 

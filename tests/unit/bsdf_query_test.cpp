@@ -39,7 +39,7 @@ TEST(BsdfQueries, WeightTimesDensityIsTheValue) {
       q.wo = random.direction() * 3.0;
       q.u = random.unit();
       q.v = random.unit();
-      q.lobe = random.unit();
+      q.w = random.unit();
     }
     std::vector<BsdfSample> samples(queries.size());
     sample_bsdf(*compiled, queries, samples);
