@@ -11,45 +11,40 @@
 
 LIGHTBENCH_KERNEL_BEGIN
 
-/// Every digit (pair of bits) times w, where 1 + w = w^2.
-inline Int times_w(Int x) {
-  return ((x ^ (x << 1)) & Int(0xaaaaaaaaU)) ^ ((x >> 1) & Int(0x55555555U));
-}
-/// Every digit times w^2.
-inline Int times_w2(Int x) {
-  return ((x << 1) & Int(0xaaaaaaaaU)) ^ ((x ^ (x >> 1)) & Int(0x55555555U));
-}
-
-/// Dimension 1: the Pascal-triangle matrix mod 2 by five shifted xors (Ahmed 2024).
-inline Int second_reversed(Int index) {
-  Int x = index;
+/// Pascal's triangle mod 2 over the digits, which are pairs of bits: the first four of five shifted
+/// xors (Ahmed 2024).
+inline Int pascal_digits(Int x) {
   x ^= x >> 16;
-  x ^= (x & Int(0xff00ff00U)) >> 8;
-  x ^= (x & Int(0xf0f0f0f0U)) >> 4;
-  x ^= (x & Int(0xccccccccU)) >> 2;
-  x ^= (x & Int(0xaaaaaaaaU)) >> 1;
+  x ^= (x >> 8) & Int(0x00ff00ffU);
+  x ^= (x >> 4) & Int(0x0f0f0f0fU);
+  x ^= (x >> 2) & Int(0x33333333U);
   return x;
 }
 
-/// Dimension 2: entry (i, j) of the matrix is binomial(j, i) w^(j - i).
+/// A linear map of each digit: the bits of `keep` stay, those of `up` get the bit below them and
+/// those of `down` the bit above them.
+inline Int map_digits(Int x, std::uint32_t keep, std::uint32_t up, std::uint32_t down) {
+  return (x & Int(keep)) ^ ((x << 1) & Int(up)) ^ ((x >> 1) & Int(down));
+}
+
+/// Dimension 1, Sobol's second: Pascal's triangle over the bits.
+inline Int second_reversed(Int index) {
+  const Int x = pascal_digits(index);
+  return x ^ ((x >> 1) & Int(0x55555555U));
+}
+
+/// Dimension 2: entry (i, j) of the matrix is binomial(j, i) w^(j - i) with 1 + w = w^2. That is
+/// digit j times w^j, Pascal's triangle, digit i times w^-i.
 inline Int third_reversed(Int index) {
-  Int x = index;
-  x ^= times_w2(x >> 16);
-  x ^= times_w((x & Int(0xff00ff00U)) >> 8);
-  x ^= times_w2((x & Int(0xf0f0f0f0U)) >> 4);
-  x ^= times_w((x & Int(0xccccccccU)) >> 2);
-  return x;
+  const Int x = pascal_digits(map_digits(index, 0xdb6db6dbU, 0x28a28a28U, 0x14514514U));
+  return map_digits(x, 0xe79e79e7U, 0x28a28a28U, 0x14514514U);
 }
 
-/// Dimension 3: the same of w^2. The last step is what makes it and dimension 2 good in base 2.
+/// Dimension 3: the same of w^2, and the step from a digit's upper bit to its lower that dimension
+/// 1 ends with: it makes this and dimension 2 good in base 2.
 inline Int fourth_reversed(Int index) {
-  Int x = index;
-  x ^= times_w(x >> 16);
-  x ^= times_w2((x & Int(0xff00ff00U)) >> 8);
-  x ^= times_w((x & Int(0xf0f0f0f0U)) >> 4);
-  x ^= times_w2((x & Int(0xccccccccU)) >> 2);
-  x ^= (x & Int(0xaaaaaaaaU)) >> 1;
-  return x;
+  const Int x = pascal_digits(map_digits(index, 0xe79e79e7U, 0x28a28a28U, 0x14514514U));
+  return map_digits(x, 0xcf3cf3cfU, 0x28a28a28U, 0x51451451U);
 }
 
 LIGHTBENCH_KERNEL_END
