@@ -16,9 +16,14 @@ struct LightChoice {
   Real pmf, rest;
 };
 
-/// Of a number that fell into a part of length `share`, `rest` from where that begins.
-inline Real stretched(Real rest, Real share) {
-  return clamp(rest / select(share > Real(0), share, Real(1)), Real(0), Real(T(1) - kEpsilon));
+/// Distance between the numbers that unit_from_bits() gives.
+inline constexpr T kUnitSpacing = T(sizeof(T) == sizeof(float) ? 0x1p-24 : 0x1p-32);
+
+/// Of a number that fell into a part of length `share`, `rest` from where that begins. `fill`, even
+/// between 0 and the distance of such numbers, is what is between them: a small part holds few.
+inline Real stretched(Real rest, Real share, Real fill) {
+  const Real u = (rest + fill) / select(share > Real(0), share, Real(1));
+  return clamp(u, Real(0), Real(T(1) - kEpsilon));
 }
 
 /// The point that chooses; n is 0 in a medium, which looks all around. `time` is where lenses are.

@@ -9,6 +9,8 @@
 // part in the weights of multiple importance sampling, so a light judged 0 is left to the paths'
 // own rays.
 
+#include <algorithm>
+
 #include "core/kernel/uses.h"
 #include "core/lights/chooser.h"
 #include "core/lights/face.h"
@@ -24,11 +26,13 @@ inline LightChoice choose_by_power(const SceneView<T>& scene, Int random) {
   const Int i = scale_bits(random, scene.light_count);
   // The low half of the product is the position within the bin.
   const Real u = unit_from_bits(random * Int(scene.light_count));
+  const T spacing = std::max(kUnitSpacing, static_cast<T>(scene.light_count) * T(0x1p-32));
   const Real threshold = gather(scene.alias_threshold, i);
   const Mask keep = u < threshold;
   const Int light = select(keep, i, gather(scene.alias_other, i));
   return {light, Int(kStraight), gather(scene.light_pmf, light),
-          stretched(select(keep, u, u - threshold), select(keep, threshold, Real(1) - threshold))};
+          stretched(select(keep, u, u - threshold), select(keep, threshold, Real(1) - threshold),
+                    unit_from_bits(hash(random)) * spacing)};
 }
 
 /// The irradiance that candidate `c` of the table sheds on the point if nothing is in the way, but
@@ -117,7 +121,9 @@ inline Contributions contributions(const SceneView<T>& scene, const Chooser& at)
   });
   scale = select(c.total > Real(0), Real(1) / c.total, Real(0));
   choice.pmf = picked.value * scale;
-  choice.rest = stretched(u * c.total - picked.before, picked.value);
+  // The bits that u is too short for.
+  const Real fill = unit_from_bits(random << 24) * kUnitSpacing;
+  choice.rest = stretched(u * c.total - picked.before, picked.value, fill * c.total);
   return choice;
 }
 

@@ -65,7 +65,7 @@ inline LightChoice choose_by_tree(const SceneView<T>& scene, const Chooser& at, 
   Int refill = random;
   const auto stretch = [&](Real rest, Real share) {
     refill = hash(refill);
-    return stretched(rest + unit_from_bits(refill) * T(0x1p-24), share);
+    return stretched(rest, share, unit_from_bits(refill) * kUnitSpacing);
   };
   Real pmf = cluster.value * scale;
   u = stretch(u - cluster.before * scale, pmf);
