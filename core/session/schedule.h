@@ -40,7 +40,7 @@ struct Progress {
 std::optional<Pass> next_pass(const Progress& progress, const std::vector<int>& stops);
 
 /// Of the first look after an edit; leaves room for the rest of its way to the screen within 20 ms.
-inline constexpr double kLookSeconds = 0.015;
+inline constexpr double kLookSeconds = 0.012;
 
 /// Divider of a look that is predicted to fit kLookSeconds.
 int look_divider(int width, int height, double look_speed);

@@ -70,7 +70,7 @@ TEST(Schedule, FirstLookFitsItsBudgetAndIsNotCancellable) {
   ASSERT_TRUE(look);
   EXPECT_FALSE(look->cancellable);
   EXPECT_EQ(look->sample_count, 1U);
-  EXPECT_EQ(look->divider, 6);  // 214x120 = 25680 samples, 13 ms; 256x144 would last 18 ms
+  EXPECT_EQ(look->divider, 7);  // 183x103 = 18849 samples, 9 ms; 214x120 would last 13 ms
 }
 
 TEST(Schedule, FinerLooksLeadToTheFirstPassAndCanBeCancelled) {
