@@ -40,6 +40,11 @@ Pixel random_pixel(Random& random) {
           static_cast<std::uint32_t>(random.below(1 << 30))};
 }
 
+/// The first sample of an aligned block of so many.
+std::uint32_t random_block(Random& random, std::size_t size) {
+  return static_cast<std::uint32_t>(random.below(64)) * static_cast<std::uint32_t>(size);
+}
+
 std::string describe(const Pixel& p, std::uint32_t pair) {
   return fmt::format("pixel {},{} seed {} pair {}", p.x, p.y, p.seed, pair);
 }
@@ -60,8 +65,7 @@ void add_intervals(std::vector<Test>& tests) {
              const std::uint32_t pair = random_pair(random);
              const int k = random.below(13);
              Points points(std::size_t{1} << k);
-             const auto first = static_cast<std::uint32_t>(random.below(64)) *
-                                static_cast<std::uint32_t>(points.size());
+             const std::uint32_t first = random_block(random, points.size());
              functions_of(kernel).sequence(p.x, p.y, p.seed, pair, first, points);
              bool even = true;
              for (int columns = 0; columns <= k; ++columns) {
@@ -117,8 +121,7 @@ void add_boxes(std::vector<Test>& tests) {
              const std::uint32_t set = random_set(random);
              const int k = random.below(6);
              Points a(std::size_t{1} << (2 * k)), b(a.size());
-             const auto first = static_cast<std::uint32_t>(random.below(64)) *
-                                static_cast<std::uint32_t>(a.size());
+             const std::uint32_t first = random_block(random, a.size());
              functions_of(kernel).sequence(p.x, p.y, p.seed, 2 * set, first, a);
              functions_of(kernel).sequence(p.x, p.y, p.seed, 2 * set + 1, first, b);
              bool even = true;

@@ -51,7 +51,7 @@ inline Ray camera_ray(const SceneView<T>& scene, Real x, Real y, const Sampler& 
     ray.o = ray.o + offset;
   }
   ray.d = normalize(ray.d);
-  ray.time = uses(scene, Feature::Motion) ? sampler.first(Int(dimension::kTime)).x : Real(0);
+  ray.time = uses(scene, Feature::Motion) ? time_number(sampler) : Real(0);
   ray.from = ray.from_slot = ray.skip = ray.skip_slot = Int(kNoHit);
   ray.inside = ray.skip_back = false;
   return ray;

@@ -59,7 +59,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
   const Vec2 u = direction_numbers(scene, paths.sampler, vertex);
   Real u_fuzz(0);
   if (uses(scene, Feature::Fuzz) && any(is_kind(v.material, BsdfKind::Fuzz)))
-    u_fuzz = paths.sampler.first(vertex_sets(vertex) + Int(dimension::kDistance)).x;
+    u_fuzz = fuzz_number(paths.sampler, vertex);
   BsdfSample next = sample_bsdf(scene, v.material, frame, v.wo, v.front, u, u_fuzz);
   const Mask same_side = dot(next.wi, v.ng) > Real(0);
   // Shading normals can send a reflection below the real surface, or a refraction above it.
@@ -123,7 +123,7 @@ inline void shade(const SceneView<T>& scene, Paths& paths, const Interaction& me
     // of a long one without losses (total reflection) would grow without limit.
     const Real survival =
         min(max_component(paths.throughput) * paths.roulette_scale * kRouletteSurvival, Real(1));
-    const Real dice = paths.sampler.first(vertex_sets(vertex) + Int(dimension::kRoulette)).x;
+    const Real dice = roulette_number(paths.sampler, vertex);
     going = going && (!roulette || dice < survival);
     if constexpr (Watch::kOn) {
       watch.roulette(roulette, survival);

@@ -51,9 +51,7 @@ inline MediumHit sample_media(const SceneView<T>& scene, const Ray& ray, Real t_
   MediumHit hit{t_max, Vec(Real(1)), Mask(false)};
   for (std::uint32_t k = 0; k < scene.medium_count; ++k) {
     const MediumView<T>& medium = scene.media[k];
-    // Every medium has a dimension of its own.
-    const Real u = sampler.first(vertex_sets(vertex) + Int(dimension::kDistance + (k << 16))).y;
-    const Real flight = exponential(u) / medium.sigma;
+    const Real flight = exponential(flight_number(sampler, vertex, k)) / medium.sigma;
     Real t(kInfinity);
     if (scene.kind[medium.boundary] != static_cast<std::uint32_t>(PrimitiveKind::Mesh)) {
       const Interval s = solid_interval(scene, medium.boundary, ray);

@@ -30,6 +30,8 @@ inline Vec2 filter_numbers(const Sampler& sampler) {
   return sampler.first(Int(dimension::kFilter));
 }
 inline Vec2 lens_numbers(const Sampler& sampler) { return sampler.second(Int(dimension::kFilter)); }
+/// When within the shutter.
+inline Real time_number(const Sampler& sampler) { return sampler.first(Int(dimension::kTime)).x; }
 
 /// Which light vertex `k` samples, and where on it.
 inline Bits2 light_numbers(const SceneView<T>& scene, const Sampler& sampler, Int k) {
@@ -44,6 +46,18 @@ inline Vec2 direction_numbers(const SceneView<T>& scene, const Sampler& sampler,
     return sampler.first(vertex_sets(k) + Int(dimension::kDirection));
   const Mask odd = (k & Int(1U)) == Int(1U);
   return sampler.either(vertex_sets(select(odd, k - Int(1U), k)) + Int(dimension::kDirection), odd);
+}
+
+inline Real roulette_number(const Sampler& sampler, Int k) {
+  return sampler.first(vertex_sets(k) + Int(dimension::kRoulette)).x;
+}
+/// The radius of a fuzzy lobe at vertex `k`.
+inline Real fuzz_number(const Sampler& sampler, Int k) {
+  return sampler.first(vertex_sets(k) + Int(dimension::kDistance)).x;
+}
+/// The free flight to vertex `k` through a medium; every medium has a set of its own.
+inline Real flight_number(const Sampler& sampler, Int k, std::uint32_t medium) {
+  return sampler.first(vertex_sets(k) + Int(dimension::kDistance + (medium << 16))).y;
 }
 
 static_assert(dimension::kFirstVertex == dimension::kPerVertex, "light_numbers() counts on it");
